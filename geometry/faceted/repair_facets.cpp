@@ -233,6 +233,8 @@ class Repair {
         if (isSplit[h / 3]) continue;
         const std::vector<std::uint32_t> inner = verticesAlong(h, vertices, tree);
         if (inner.empty() || !isChain(h, inner, leaving)) continue;
+        const std::uint32_t apex = startOf(previousIn(h));
+        if (std::ranges::count(inner, apex) > 0) continue;  // of no area: there is nothing to split
         isSplit[h / 3] = true;
         if (!place) place = at(inner.front());
         splitTriangle(h, inner);

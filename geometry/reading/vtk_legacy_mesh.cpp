@@ -43,6 +43,8 @@ class VtkReader {
     if (types_.size() != cells_.size())
       mesh_.fail("has " + std::to_string(cells_.size()) + " cells and " +
                  std::to_string(types_.size()) + " types of cells; it may be truncated");
+    for (std::vector<std::int32_t>* ids : {&faces_, &edges_})
+      if (ids->size() != cells_.size()) ids->clear();  // of something else
     if (!faces_.empty()) mesh_.setHasFaces();
     for (std::size_t i = 0; i < cells_.size(); ++i)
       addVtkCell(mesh_, types_[i], cells_[i], faces_.empty() ? 1 : faces_[i],
@@ -110,8 +112,8 @@ class VtkReader {
           const double value = scalar(in_, coding_, type);
           if (part == 0 && (name == "face" || name == "edge")) values.push_back(idNumber(value));
         }
-      if (values.size() != cells_.size()) continue;
-      (name == "face" ? faces_ : edges_) = std::move(values);
+      if (name == "face") faces_ = std::move(values);
+      if (name == "edge") edges_ = std::move(values);
     }
   }
 

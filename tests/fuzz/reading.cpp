@@ -107,6 +107,8 @@ void findFaces(const fs::path& file) {
   for (const auto& triangle : facets.triangles)
     for (const std::uint32_t corner : triangle)
       promise(corner < facets.vertices.size(), "triangles have corners");
+  for (const auto& t : facets.triangles)
+    promise(t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "triangles have three corners");
   geometry::MeshingOptions options;
   options.sizes.size = 1;
   promise(!geometry::facetedModel(facets, options).faces.empty(), "there are faces, or errors");

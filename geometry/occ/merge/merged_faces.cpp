@@ -98,6 +98,12 @@ void MergedFaces::prepare(const MeshingOptions& options, const std::vector<int>&
   plan_ = planMerging({sharedShape(), request_, options.sizes, joints_, lengths, std::move(areas),
                        std::move(mayMerge), std::move(kept), givenUp_, part_, options.stop});
   planned_ = faces;
+  if (options_.sizes.chords.areGiven()) {
+    std::vector<int> inQuilts;
+    for (const auto& [face, quilt] : plan_.quiltOf) inQuilts.push_back(face);
+    spreadSizesOf(std::move(inQuilts));
+    CadFaces::prepare(options_, faces);
+  }
   merge(plan_.edges);
 }
 

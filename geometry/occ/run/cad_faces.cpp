@@ -5,6 +5,7 @@
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "engine/base/error.h"
@@ -78,7 +79,9 @@ void CadFaces::prepare(const MeshingOptions& options, const std::vector<int>& fa
   findAreas();
   expectByFace();
   const std::vector<int> uneven = unevenFaces(*shape_, sizes_, options.threads, options.stop);
-  sizes_ = spreadSizes(*shape_, std::move(sizes_), uneven, options.threads, options.stop);
+  std::vector<int> spread;
+  std::ranges::set_union(uneven, spread_, std::back_inserter(spread));
+  sizes_ = spreadSizes(*shape_, std::move(sizes_), spread, options.threads, options.stop);
   expectMoreOn(uneven);
   expectByPosition();
   sampled_ = sampleEdges(*shape_, sizes_, options.threads, options.stop);

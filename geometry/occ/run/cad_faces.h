@@ -54,6 +54,8 @@ class CadFaces : public FaceSource {
     strips_ = {};
   }
   const MergedEdges& merged() const { return merged_; }
+  /// From the next call of `prepare` on, the sizes inside these faces are known outside them.
+  void spreadSizesOf(std::vector<int> faces) { spread_ = std::move(faces); }
 
   const MeshingOptions& options() const { return *options_; }
   const std::vector<int>& faces() const { return faces_; }
@@ -91,6 +93,7 @@ class CadFaces : public FaceSource {
   SampledEdges sampled_;
   mutable KnownStrips strips_;  // changes how long divisions take, not what they are
   MergedEdges merged_;
+  std::vector<int> spread_;           // ids: see spreadSizesOf
   std::map<int, EdgeLayers> layers_;  // by face
   LayerEnds layerEnds_;
   bool isFineInside_ = false;  // sizes may be much smaller than along boundaries

@@ -54,6 +54,12 @@ TEST(FacetFaults, OfASoundFileAreNone) {
   EXPECT_TRUE(read(kBoxVertices + kBoxFaces).notes.empty());
 }
 
+TEST(FacetFaults, TrianglesWithoutAreaAreNotSplitAtTheirOwnCorners) {
+  const Facets facets = read(kBoxVertices + kBoxFaces + "v 5 0 0\nv 7 0 0\nv 6 0 0\nf 9 10 11\n");
+  for (const auto& t : facets.triangles)
+    EXPECT_TRUE(t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) << t[0] << t[1] << t[2];
+}
+
 TEST(FacetFaults, VerticesThatNoTriangleUsesDoNotCountHoweverFarAway) {
   const Facets facets = read("v 1e9 0 0\n" + kBoxVertices + "f 2 5 4 3\nf 6 7 8 9\nf 2 3 7 6\n" +
                              "f 3 4 8 7\nf 4 5 9 8\nf 5 2 6 9\n");

@@ -106,6 +106,17 @@ TEST(ReadMesh, ReadsTextForms) {
             1u);
 }
 
+TEST(ReadMesh, IgnoresFacesThatAreNotThoseOfAllCells) {
+  const std::string cells = "CELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n";
+  const MeshFile file =
+      readText("twice.vtk",
+               "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+               "POINTS 3 float\n0 0 0 1 0 0 0 1 0\n" +
+                   cells + "CELL_DATA 1\nFIELD FieldData 1\nface 1 1 int\n7\n" + cells);
+  EXPECT_EQ(file.mesh.elements.size(), 2u);
+  EXPECT_FALSE(file.hasFaces);
+}
+
 TEST(ReadMesh, NotesWhatItLeavesOut) {
   const MeshFile file = readText("mixed.vtk",
                                  "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"

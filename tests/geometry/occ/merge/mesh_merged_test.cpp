@@ -261,6 +261,21 @@ TEST(MeshMerged, KeepsABoundOnTheDistance) {
   EXPECT_LE(mesh.deviation->largest, 0.02);
 }
 
+/// Sizes of curved faces are known on the plane ones beside them, as at edges.
+TEST(MeshMerged, KeepsABoundWithoutManyMoreElementsThanThePlainMesh) {
+  const Model model = roundedBox(2);
+  MeshingOptions options = testing::ofSize(1.5);
+  for (const double bound : {0.02, 0.01, 0.005}) {
+    SCOPED_TRACE(bound);
+    options.sizes.chords.everywhere.value = bound;
+    const ModelMesh plain = testing::mesh(model, options), mesh = merged(model, options);
+    ASSERT_GT(mesh.merging->groups.size(), 0u);
+    ASSERT_TRUE(mesh.deviation.has_value());
+    EXPECT_LE(mesh.deviation->largest, bound);
+    EXPECT_LT(mesh.elements.size(), 1.6 * plain.elements.size());
+  }
+}
+
 // They stand in faces of their own; the other three pairs of faces are merged as ever.
 TEST(MeshMerged, KeepsTheEdgesOfFacesWithLayers) {
   const Model model = boxes({0, 5, 10}, {2, 2});
