@@ -126,12 +126,15 @@ class RunMaker {
       if (levels > 0 && std::abs(loop.turnAt(beyond(c, levels))) > kStraight) break;
       away += distance(loop.at(beyond(c, levels)).point.position, loop.at(next).point.position);
       const double height = away * std::sin(turn);
-      if (levels == 0) found.share = std::clamp(height / tops_[1], kThinnest, 1.0);
+      if (levels == 0) found.share = shareOf(height / tops_[1], kNear);
       const double layer = tops_[levels + 1] - tops_[levels];
       if (std::abs(height - found.share * tops_[levels + 1]) > kNear * found.share * layer) break;
     }
-    if (found.share > 1 - kNear) found.share = 1;
     return found;
+  }
+
+  static double shareOf(double share, double near) {
+    return share > 1 - near ? 1 : std::max(share, kThinnest);
   }
 
   /// How far columns lean along the run, away from the leaning corners before and behind.

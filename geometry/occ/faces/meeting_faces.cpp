@@ -100,13 +100,15 @@ std::optional<gp_Dir> wayInto(MeetingFace& face, const EdgeUse& use) {
 /// from such that overlap; empty if there is none.
 std::string narrowAngleOf(const ModelShape& model, int face) {
   constexpr double kNarrow = 0.005;  // radians
+  const auto hasSurface = [&](int id) { return !BRep_Tool::Surface(model.face(id)).IsNull(); };
+  if (!hasSurface(face)) return "";
   try {
     for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
       if (BRep_Tool::Degenerated(use.edge)) continue;
       MeetingFace own(model.face(face));
       const std::optional<gp_Dir> way = wayInto(own, use);
       for (const int other : model.facesOfEdges[static_cast<std::size_t>(use.id) - 1]) {
-        if (!way || other == face) continue;
+        if (!way || other == face || !hasSurface(other)) continue;
         MeetingFace another(model.face(other));
         for (const EdgeUse& its : model.edgesOfFaces[static_cast<std::size_t>(other) - 1]) {
           if (its.id != use.id) continue;

@@ -272,7 +272,7 @@ std::vector<bool> facesWithNeedles(const ModelMesh& mesh, std::size_t count) {
 
 /// Words for a tip so sharp that the elements around it are needles; empty if there is none.
 std::string needleTipOf(const FaceSurface& surface) {
-  constexpr double kNeedle = 2 * std::numbers::pi / 180;  // a fan has at least four elements
+  constexpr double kNeedle = 2.3 * std::numbers::pi / 180;  // four elements of half a degree
   for (const SharpTip& tip : surface.sharpTips()) {
     if (tip.angle >= kNeedle) continue;
     const double opening = 2 * std::asin(tip.angle / (2 * std::numbers::pi));
@@ -285,6 +285,7 @@ std::string needleTipOf(const FaceSurface& surface) {
 }  // namespace
 
 std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
+  if (BRep_Tool::Surface(face).IsNull()) return std::nullopt;
   try {
     return FaultSearch(face, size).find();
   } catch (const Standard_Failure&) {

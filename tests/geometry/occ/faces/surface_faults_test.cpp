@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -89,6 +89,12 @@ TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
       surfaceFault(extrusion(polyline({{0, 0, 0}, {3, 0, 0}, {0, 0.1, 0}})), 0.5));  // a tip
   for (const Model& model : {testing::sphere(1), testing::torus(2, 0.5), testing::cylinder(1, 2)})
     EXPECT_FALSE(surfaceFault(model.shape().face(1), 0.2));
+}
+
+TEST(SurfaceFault, IsNoneWithoutASurface) {
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face);
+  EXPECT_FALSE(surfaceFault(face, 0.5));
 }
 
 TEST(SurfaceFault, IsNoneOutsideTheFace) {
