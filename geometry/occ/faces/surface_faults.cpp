@@ -302,7 +302,8 @@ std::string textOf(const SurfaceFault& fault) {
 }
 
 void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
-  constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
+  constexpr int kMaxReported = 20;        // where many have faults, the first ones are enough
+  constexpr double kShareOfModel = 0.05;  // with larger sizes, bends that can be seen are no folds
   const std::vector<bool> hasNeedles =
       facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
   int examined = 0;
@@ -313,7 +314,8 @@ void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) 
         face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
     if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
     if (++examined > kMaxReported) break;
-    const auto fault = surfaceFault(model.face(face.id), size);
+    const auto fault =
+        surfaceFault(model.face(face.id), std::min(size, kShareOfModel * model.diagonal));
     std::string cause = fault ? textOf(*fault) : "";
     if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
     if (cause.empty()) continue;
