@@ -41,6 +41,8 @@ class FaultSearch {
     for (const bool isInU : {true, false})
       for (const double share : {0.5, 0.25, 0.75, 0.06, 0.94})
         if (const auto fold = foldOn(isInU, share)) return fold;
+    for (const bool isInU : {true, false})
+      if (const auto pinch = pinchAcross(isInU)) return pinch;
     return crossing();
   }
 
@@ -133,6 +135,38 @@ class FaultSearch {
       if (turns[i + 1].along - turns[i].along <= kNear * size_ &&
           dot(turns[i].axis, turns[i + 1].axis) < kOpposite)
         return SurfaceFault{SurfaceFault::Kind::Fold, turns[i].place, turns[i + 1].place};
+    return std::nullopt;
+  }
+
+  /// Along u at a fixed v, or the other way round, from side to side.
+  double lengthAt(bool isInU, double fixed) const {
+    return ParameterLine(*surface_, isInU, fixed).lengthBetween(low(isInU), high(isInU));
+  }
+
+  std::optional<SurfaceFault> pinchAcross(bool isInU) {
+    constexpr int kSteps = 64, kNarrowings = 80;
+    constexpr double kNone = 1e-4, kWide = 0.02;  // of the size
+    const std::vector<double> at = samples(!isInU, kSteps);
+    std::vector<double> lengths;
+    for (const double fixed : at) lengths.push_back(lengthAt(isInU, fixed));
+    for (std::size_t i = 1; i + 1 < at.size(); ++i) {
+      if (lengths[i] > lengths[i - 1] || lengths[i] > lengths[i + 1]) continue;
+      if (std::min(lengths[i - 1], lengths[i + 1]) < kWide * size_) continue;
+      double from = at[i - 1], to = at[i + 1];
+      for (int k = 0; k < kNarrowings; ++k) {  // the least length is between them
+        const double a = from + (to - from) / 3, b = to - (to - from) / 3;
+        if (lengthAt(isInU, a) < lengthAt(isInU, b))
+          to = b;
+        else
+          from = a;
+      }
+      const double fixed = (from + to) / 2, middle = (low(isInU) + high(isInU)) / 2;
+      if (lengthAt(isInU, fixed) > kNone * size_) continue;
+      if (!isInside(isInU ? Uv{middle, fixed} : Uv{fixed, middle})) continue;
+      return SurfaceFault{SurfaceFault::Kind::Pinch,
+                          ParameterLine(*surface_, isInU, fixed).at(middle).position,
+                          {}};
+    }
     return std::nullopt;
   }
 
@@ -297,6 +331,10 @@ std::string textOf(const SurfaceFault& fault) {
   if (fault.kind == SurfaceFault::Kind::Crossing)
     return "in the model itself its surface crosses itself at " + textOf(fault.place) +
            ": make the face anew";
+  if (fault.kind == SurfaceFault::Kind::Pinch)
+    return "in the model itself its surface shrinks to a point at " + textOf(fault.place) +
+           " and goes on beyond it, as where a profile that is turned crosses its axis: make the " +
+           "face anew without the part beyond";
   return "in the model itself its surface turns back at " + textOf(fault.place) +
          ", and back again at " + textOf(fault.other) + ": make the face anew without this fold";
 }

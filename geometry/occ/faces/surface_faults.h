@@ -11,9 +11,10 @@
 
 namespace af2::geometry {
 
-/// A place where a surface crosses itself, or two places near each other at which it turns back.
+/// A place where a surface crosses itself or shrinks to a point and goes on beyond it, or two
+/// places near each other at which it turns back.
 struct SurfaceFault {
-  enum class Kind { Crossing, Fold };
+  enum class Kind { Crossing, Fold, Pinch };
   Kind kind = Kind::Crossing;
   Point3 place;
   Point3 other;  ///< of a fold: where the surface turns back again
@@ -21,7 +22,8 @@ struct SurfaceFault {
 
 /// Samples the surface inside the face. A crossing is confirmed by Newton's method. A fold is found
 /// on lines of constant u or v that turn by more than 120 degrees within a tenth of the size, and
-/// by as much in the other direction within four sizes.
+/// by as much in the other direction within four sizes. A pinch is a line of constant u or v
+/// without length between others, as where a profile that is turned crosses its axis.
 std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size);
 
 /// "in the model itself, ..."

@@ -5,12 +5,15 @@
 #include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <gp_Circ.hxx>
 
 #include <cmath>
 
@@ -80,6 +83,18 @@ TEST(SurfaceFault, IsAFoldWhereASurfaceTurnsBackAndForth) {
   EXPECT_NEAR(fault->place.x, 2, 0.05);
   EXPECT_NEAR(fault->other.x, 1.5, 0.05);
   EXPECT_NE(textOf(*fault).find("and back again at ("), std::string::npos);
+}
+
+/// A pipe of radius 0.7 that is bent around an axis 0.625 away from its middle.
+TEST(SurfaceFault, IsAPinchWhereAProfileCrossesItsAxis) {
+  const gp_Circ profile(gp_Ax2({0.625, 0, 0}, gp::DY()), 0.7);
+  const TopoDS_Face pipe = BRepBuilderAPI_MakeFace(
+      new Geom_SurfaceOfRevolution(new Geom_Circle(profile), gp::OZ()), 0, 1.5, 0, 6.28, 1e-6);
+  const auto fault = surfaceFault(pipe, 0.2);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, SurfaceFault::Kind::Pinch);
+  EXPECT_NEAR(std::hypot(fault->place.x, fault->place.y), 0, 1e-4);
+  EXPECT_NEAR(std::abs(fault->place.z), std::sqrt(0.7 * 0.7 - 0.625 * 0.625), 1e-3);
 }
 
 TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
