@@ -170,14 +170,20 @@ class FaultSearch {
     return std::nullopt;
   }
 
+  /// Not all breaks of a surface with very many.
+  std::vector<double> coarse(bool isInU) const {
+    constexpr std::size_t kMost = 400;
+    const std::vector<double> all = samples(isInU, 64);
+    const std::size_t step = (all.size() + kMost - 1) / kMost;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+    if (some.back() < all.back()) some.push_back(all.back());
+    return some;
+  }
+
   /// A coarse mesh of the surface inside the face, and the parameters of its vertices.
   ModelMesh coarseMesh() {
-    constexpr int kSteps = 64;
-    constexpr std::size_t kMost = 400;  // in each direction
-    std::vector<double> us = samples(true, kSteps), vs = samples(false, kSteps);
-    if (us.size() > kMost) us = samples(true, static_cast<int>(kMost / 4));
-    us.resize(std::min(us.size(), kMost));
-    vs.resize(std::min(vs.size(), kMost));
+    const std::vector<double> us = coarse(true), vs = coarse(false);
     ModelMesh mesh;
     for (const double u : us)
       for (const double v : vs) {
