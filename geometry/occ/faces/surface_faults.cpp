@@ -24,6 +24,8 @@ namespace {
 
 using Uv = std::array<double, 2>;
 
+constexpr int kSteps = 64;  // along each parameter, beside the breaks
+
 class FaultSearch {
  public:
   FaultSearch(const TopoDS_Face& face, double size)
@@ -52,10 +54,10 @@ class FaultSearch {
   bool isInside(const Uv& at) { return inside_.Perform({at[0], at[1]}) != TopAbs_OUT; }
 
   /// Parameters at which to look, ascending: pieces between breaks may be tiny.
-  std::vector<double> samples(bool isInU, int steps) const {
+  std::vector<double> samples(bool isInU) const {
     std::vector<double> at = breaks_[isInU ? 0 : 1];
     const double from = low(isInU), to = high(isInU);
-    for (int i = 0; i <= steps; ++i) at.push_back(from + (to - from) * i / steps);
+    for (int i = 0; i <= kSteps; ++i) at.push_back(from + (to - from) * i / kSteps);
     std::erase_if(at, [&](double p) { return p < from || p > to; });
     std::ranges::sort(at);
     const auto same = std::ranges::unique(at);
@@ -65,30 +67,15 @@ class FaultSearch {
 
   /// Places along a line, so dense that it is known where it turns.
   std::vector<ParameterLine::Place> followed(const ParameterLine& line, bool isInU) const {
+    constexpr double kShortest = 2e-3;  // of the size
     std::vector<ParameterLine::Place> places;
-    for (const double at : samples(isInU, 64)) {
+    for (const double at : samples(isInU)) {
       if (places.empty())
         places.push_back(line.at(at));
       else
-        follow(line, line.at(at), 0, places);
+        follow(line, line.at(at), kShortest * size_, places);
     }
     return places;
-  }
-
-  void follow(const ParameterLine& line, const ParameterLine::Place& to, int depth,
-              std::vector<ParameterLine::Place>& places) const {
-    constexpr int kDeepest = 12;
-    constexpr double kKnown = 0.25;     // turn
-    constexpr double kShortest = 2e-3;  // of the size
-    const ParameterLine::Place from = places.back();
-    if (depth < kDeepest && turnBetween(from, to) > kKnown &&
-        distance(from.position, to.position) > kShortest * size_) {
-      const ParameterLine::Place middle = line.at((from.parameter + to.parameter) / 2);
-      follow(line, middle, depth + 1, places);
-      follow(line, to, depth + 1, places);
-    } else {
-      places.push_back(to);
-    }
   }
 
   struct Turn {
@@ -144,9 +131,9 @@ class FaultSearch {
   }
 
   std::optional<SurfaceFault> pinchAcross(bool isInU) {
-    constexpr int kSteps = 64, kNarrowings = 80;
+    constexpr int kNarrowings = 80;
     constexpr double kNone = 1e-4, kWide = 0.02;  // of the size
-    const std::vector<double> at = samples(!isInU, kSteps);
+    const std::vector<double> at = samples(!isInU);
     std::vector<double> lengths;
     for (const double fixed : at) lengths.push_back(lengthAt(isInU, fixed));
     for (std::size_t i = 1; i + 1 < at.size(); ++i) {
@@ -173,7 +160,7 @@ class FaultSearch {
   /// Not all breaks of a surface with very many.
   std::vector<double> coarse(bool isInU) const {
     constexpr std::size_t kMost = 400;
-    const std::vector<double> all = samples(isInU, 64);
+    const std::vector<double> all = samples(isInU);
     const std::size_t step = (all.size() + kMost - 1) / kMost;
     std::vector<double> some;
     for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
@@ -236,14 +223,14 @@ class FaultSearch {
   /// The point at which two sheets of the surface meet: Newton's method, each step as short as
   /// possible, from two places that are not to come together.
   std::optional<Point3> commonPoint(Uv a, Uv b) {
-    constexpr int kSteps = 30;
+    constexpr int kMostSteps = 30;
     constexpr double kApart = 0.5;   // of the distance in parameters at the start
     constexpr double kExact = 1e-9;  // of the size
     const auto apart = [&] {
       return std::hypot((a[0] - b[0]) / (box_.u2 - box_.u1), (a[1] - b[1]) / (box_.v2 - box_.v1));
     };
     const double atStart = apart();
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kMostSteps; ++step) {
       if (apart() < kApart * atStart || !surface_->has(a[0], a[1]) || !surface_->has(b[0], b[1]))
         return std::nullopt;
       const SurfaceFrame one = surface_->frameAt(a[0], a[1]), other = surface_->frameAt(b[0], b[1]);

@@ -194,26 +194,13 @@ class CreaseFinder {
   /// Places along a line between kinks, so dense that it is known where it turns.
   std::vector<ParameterLine::Place> followed(const ParameterLine& line, double from,
                                              double to) const {
+    const double shortest = 0.1 * kWithin * size_;
     std::vector<ParameterLine::Place> places{line.at(from + beside())};
     for (const double at : samples())
-      if (at > places.back().parameter && at < to - beside()) follow(line, line.at(at), places);
-    follow(line, line.at(to - beside()), places);
+      if (at > places.back().parameter && at < to - beside())
+        follow(line, line.at(at), shortest, places);
+    follow(line, line.at(to - beside()), shortest, places);
     return places;
-  }
-
-  void follow(const ParameterLine& line, const ParameterLine::Place& to,
-              std::vector<ParameterLine::Place>& places, int depth = 0) const {
-    constexpr int kDeepest = 20;
-    constexpr double kKnown = 0.25;  // turn
-    const ParameterLine::Place from = places.back();
-    const bool isShort = distance(from.position, to.position) < 0.1 * kWithin * size_;
-    if (depth < kDeepest && turnBetween(from, to) > kKnown && !isShort) {
-      const ParameterLine::Place middle = line.at((from.parameter + to.parameter) / 2);
-      follow(line, middle, places, depth + 1);
-      follow(line, to, places, depth + 1);
-    } else {
-      places.push_back(to);
-    }
   }
 
   /// The windows in which the line turns most, none of which overlap.

@@ -2,6 +2,8 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <vector>
+
 #include "geometry/occ/surfaces/general_surface.h"
 
 namespace af2::geometry {
@@ -50,6 +52,23 @@ class ParameterLine {
 inline double turnBetween(const ParameterLine::Place& a, const ParameterLine::Place& b) {
   if (!(dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0)) return 0;
   return distance(a.normal, b.normal);
+}
+
+/// Goes on from the last of some places to another one, with places between them so dense that it
+/// is known where the line turns, but not nearer to each other than `shortest`.
+inline void follow(const ParameterLine& line, const ParameterLine::Place& to, double shortest,
+                   std::vector<ParameterLine::Place>& places, int depth = 0) {
+  constexpr int kDeepest = 20;
+  constexpr double kKnown = 0.25;  // turn
+  const ParameterLine::Place from = places.back();
+  const bool isShort = distance(from.position, to.position) < shortest;
+  if (depth < kDeepest && turnBetween(from, to) > kKnown && !isShort) {
+    const ParameterLine::Place middle = line.at((from.parameter + to.parameter) / 2);
+    follow(line, middle, shortest, places, depth + 1);
+    follow(line, to, shortest, places, depth + 1);
+  } else {
+    places.push_back(to);
+  }
 }
 
 }  // namespace af2::geometry

@@ -3,20 +3,15 @@
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
-#include <GeomAPI_Interpolate.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 
 #include <cmath>
 
+#include "tests/geometry/occ/curves.h"
 #include "tests/geometry/occ/meshing.h"
 
 namespace af2::geometry {
@@ -29,29 +24,6 @@ TopoDS_Face extrusion(const Handle(Geom_BSplineCurve) & curve) {
                                  curve->FirstParameter(), curve->LastParameter(), 0, kHeight, 1e-6);
 }
 
-Handle(Geom_BSplineCurve) through(const std::vector<gp_Pnt>& points) {
-  const Handle(TColgp_HArray1OfPnt) array =
-      new TColgp_HArray1OfPnt(1, static_cast<int>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    array->SetValue(static_cast<int>(i) + 1, points[i]);
-  GeomAPI_Interpolate spline(array, false, 1e-9);
-  spline.Perform();
-  return spline.Curve();
-}
-
-Handle(Geom_BSplineCurve) polyline(const std::vector<gp_Pnt>& points) {
-  const int count = static_cast<int>(points.size());
-  TColgp_Array1OfPnt poles(1, count);
-  TColStd_Array1OfReal knots(1, count);
-  TColStd_Array1OfInteger multiplicities(1, count);
-  for (int i = 1; i <= count; ++i) {
-    poles(i) = points[static_cast<std::size_t>(i) - 1];
-    knots(i) = i;
-    multiplicities(i) = i == 1 || i == count ? 2 : 1;
-  }
-  return new Geom_BSplineCurve(poles, knots, multiplicities, 1);
-}
-
 /// Above the curve (t^3 - 3 t, t^2), which crosses itself at (0, 3).
 TopoDS_Face loop() {
   std::vector<gp_Pnt> points;
@@ -59,12 +31,12 @@ TopoDS_Face loop() {
     const double t = 0.2 * i;
     points.emplace_back(t * t * t - 3 * t, t * t, 0);
   }
-  return extrusion(through(points));
+  return extrusion(testing::splineThrough(points));
 }
 
 /// Turns back at x = 2 and again at x = 1.5.
 TopoDS_Face fold() {
-  return extrusion(polyline({{0, 0, 0}, {2, 0, 0}, {1.5, 0.05, 0}, {4, 0.1, 0}}));
+  return extrusion(testing::polyline({{0, 0, 0}, {2, 0, 0}, {1.5, 0.05, 0}, {4, 0.1, 0}}));
 }
 
 TEST(SurfaceFault, IsACrossingWhereASurfaceCrossesItself) {
@@ -98,10 +70,11 @@ TEST(SurfaceFault, IsAPinchWhereAProfileCrossesItsAxis) {
 }
 
 TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
-  EXPECT_FALSE(surfaceFault(extrusion(through({{-3, 0, 0}, {-1, 1, 0}, {1, -1, 0}, {3, 0, 0}})),
-                            0.5));  // a wave
-  EXPECT_FALSE(
-      surfaceFault(extrusion(polyline({{0, 0, 0}, {3, 0, 0}, {0, 0.1, 0}})), 0.5));  // a tip
+  EXPECT_FALSE(surfaceFault(
+      extrusion(testing::splineThrough({{-3, 0, 0}, {-1, 1, 0}, {1, -1, 0}, {3, 0, 0}})),
+      0.5));  // a wave
+  EXPECT_FALSE(surfaceFault(extrusion(testing::polyline({{0, 0, 0}, {3, 0, 0}, {0, 0.1, 0}})),
+                            0.5));  // a tip
   for (const Model& model : {testing::sphere(1), testing::torus(2, 0.5), testing::cylinder(1, 2)})
     EXPECT_FALSE(surfaceFault(model.shape().face(1), 0.2));
 }

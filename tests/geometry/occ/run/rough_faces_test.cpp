@@ -3,20 +3,18 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
-#include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
 
 #include <algorithm>
 #include <cstdint>
 #include <set>
-#include <vector>
 
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
+#include "tests/geometry/occ/curves.h"
 #include "tests/geometry/occ/meshing.h"
 
 namespace af2::geometry {
@@ -73,16 +71,14 @@ TEST(RoughFaces, SmoothOnesAreNone) { EXPECT_TRUE(spread(noisyGround(1e-3)).roug
 
 /// A vase, turned about the axis, whose foot has a rim with a radius of about 0.02.
 Model vaseWithARim() {
-  const std::vector<gp_Pnt> points{{0, 0, 0},       {1.77, 0, -0.12}, {0.93, 0, 0.75},
-                                   {0.76, 0, 2.56}, {1.8, 0, 4.7},    {0, 0, 5.705}};
-  const Handle(TColgp_HArray1OfPnt) array =
-      new TColgp_HArray1OfPnt(1, static_cast<int>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    array->SetValue(static_cast<int>(i) + 1, points[i]);
-  GeomAPI_Interpolate profile(array, false, 1e-7);
-  profile.Perform();
+  const auto profile = testing::splineThrough({{0, 0, 0},
+                                               {1.77, 0, -0.12},
+                                               {0.93, 0, 0.75},
+                                               {0.76, 0, 2.56},
+                                               {1.8, 0, 4.7},
+                                               {0, 0, 5.705}});
   return testing::modelOf(
-      BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(profile.Curve()).Edge(), gp::OZ()).Shape());
+      BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(profile).Edge(), gp::OZ()).Shape());
 }
 
 /// Sizes are known inside a face whose sizes change too fast along one line only.

@@ -33,6 +33,7 @@
 
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/run/creased_shape.h"
+#include "tests/geometry/occ/curves.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 
@@ -43,21 +44,8 @@ using testing::expectComplete;
 using testing::mesh;
 using testing::modelOf;
 using testing::ofSize;
+using testing::polyline;
 using testing::uniform;
-
-/// A spline of degree 1 through points.
-Handle(Geom_BSplineCurve) polyline(const std::vector<gp_Pnt>& points) {
-  const int n = static_cast<int>(points.size());
-  TColgp_Array1OfPnt poles(1, n);
-  TColStd_Array1OfReal knots(1, n);
-  TColStd_Array1OfInteger uses(1, n);
-  for (int i = 1; i <= n; ++i) {
-    poles(i) = points[static_cast<std::size_t>(i) - 1];
-    knots(i) = i;
-    uses(i) = i == 1 || i == n ? 2 : 1;
-  }
-  return new Geom_BSplineCurve(poles, knots, uses, 1);
-}
 
 /// A roof of two planes in one face, with the ridge at x = 0.
 TopoDS_Shape roof() {
