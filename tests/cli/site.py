@@ -74,20 +74,17 @@ def look_at_all(site):
             for page in PAGES:
                 look_at(tab, address, page, width, scheme)
             if width > 1000 and scheme == "light":
-                search(tab)
+                search(tab, address)
             elsewhere = [r for r in tab.requests if not str(r).startswith((address, "data:", "blob:", "about:"))]
             expect(not elsewhere, f"the site asks for {elsewhere[:3]}")
             expect(not tab.messages, f"the site complains: {tab.messages[:3]}")
 
 
-def search(tab):
-    # Again every two seconds: on a busy machine the page can be there before its search listens, and each
-    # change of the field makes the search start anew.
-    tab.wait_for("(() => { if (document.querySelectorAll('.md-search-result__item').length > 0) return true;"
-                 " const now = performance.now(); if (now - (window.typedAt ?? -2000) < 2000) return false;"
-                 " window.typedAt = now; const field = document.querySelector('input[name=query]'); field.focus();"
-                 " field.value = 'free zone'; field.dispatchEvent(new Event('input', {bubbles: true}));"
-                 " field.dispatchEvent(new KeyboardEvent('keyup', {bubbles: true})); return false; })()")
+def search(tab, address):
+    # By a link with a query, which the page follows when its search is ready: words that are typed before lose the
+    # index for good where the index comes while they wait (Material 8.2, both take the one place of what waits).
+    tab.call("Page.navigate", url=f"{address}index.html?q=free+zone")
+    tab.wait_for("document.querySelectorAll('.md-search-result__item').length > 0")
 
 
 def main():
