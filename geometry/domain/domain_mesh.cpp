@@ -183,7 +183,8 @@ class DomainFaces final : public FaceSource {
                   kUnseen * size,
                   request.findMiddles,
                   face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
-                                          : withoutParameters},
+                                          : withoutParameters,
+                  [&](const SurfacePoint&) { return options_->sizes.minSize; }},
                  boundary, mesh);
   }
 

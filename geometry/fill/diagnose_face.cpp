@@ -29,11 +29,19 @@ void addStuck(const MeshingResult& result, std::vector<SizeSource>& places) {
             result.mesh.vertices[edge.to.value].position, kFinerAtFaults);
 }
 
-void addSides(std::vector<SizeSource>& places, const Mesh& mesh, const Element& element) {
+/// Whether an edge cannot become shorter.
+bool isShortest(const IsLeast& isLeast, const SurfacePoint& from, const SurfacePoint& to) {
+  return isLeast && isLeast(from) && isLeast(to);
+}
+
+void addSides(std::vector<SizeSource>& places, const Mesh& mesh, const Element& element,
+              const IsLeast& isLeast = {}) {
   const auto c = element.vertices();
-  for (std::size_t i = 0; i < c.size(); ++i)
-    addEdge(places, mesh.vertices[c[i].value].position,
-            mesh.vertices[c[(i + 1) % c.size()].value].position, kFinerAtFaults);
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const SurfacePoint &from = mesh.vertices[c[i].value],
+                       &to = mesh.vertices[c[(i + 1) % c.size()].value];
+    if (!isShortest(isLeast, from, to)) addEdge(places, from.position, to.position, kFinerAtFaults);
+  }
 }
 
 void addFaults(const MeshingResult& result, const MeshBoundary& boundary,
@@ -71,10 +79,13 @@ void addCrossings(const ChartedSurface& surface, const FaceBoundary& boundary,
   }
 }
 
-void addBoundary(const FrontInput& input, double share, std::vector<SizeSource>& places) {
-  for (std::size_t l = 0; l < input.loops.size(); ++l)
-    for (std::size_t i = 0; i < input.loops[l].size(); ++i)
-      addSegment(input, {l, i}, share, places);
+void addBoundary(const FrontInput& input, double share, const IsLeast& isLeast,
+                 std::vector<SizeSource>& places) {
+  for (const auto& loop : input.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const SurfacePoint &from = loop[i].point, &to = loop[(i + 1) % loop.size()].point;
+      if (!isShortest(isLeast, from, to)) addEdge(places, from.position, to.position, share);
+    }
 }
 
 /// The least angle of an element in degrees.
@@ -119,14 +130,16 @@ bool hasSharpAngle(const Mesh& mesh, std::span<const VertexId> c) {
 }
 
 /// All along its longest edge an element wants a share of that.
-void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share,
+void openAngle(const Mesh& mesh, std::span<const VertexId> c, double share, const IsLeast& isLeast,
                std::vector<SizeSource>& places) {
   std::size_t longest = 0;
-  const auto at = [&](std::size_t i) -> const Point3& {
-    return mesh.vertices[c[i % c.size()].value].position;
+  const auto vertex = [&](std::size_t i) -> const SurfacePoint& {
+    return mesh.vertices[c[i % c.size()].value];
   };
+  const auto at = [&](std::size_t i) -> const Point3& { return vertex(i).position; };
   for (std::size_t i = 1; i < c.size(); ++i)
     if (distance(at(i), at(i + 1)) > distance(at(longest), at(longest + 1))) longest = i;
+  if (isShortest(isLeast, vertex(longest), vertex(longest + 1))) return;
   const Point3 from = at(longest), along = at(longest + 1) - from;
   const double size = share * length(along);
   const double count = std::ceil(1 / (kOpeningSpacing * share));
@@ -207,7 +220,7 @@ class SharpCorners {
 /// than it could bring.
 ///
 /// unseen  heights below this would take far too many elements
-void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen,
+void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, const IsLeast& isLeast,
                 FaceDiagnosis& diagnosis) {
   std::optional<SharpCorners> corners;  // seldom asked for
   FaceDiagnosis found;
@@ -225,21 +238,23 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen,
     // The worst one counts: shorter edges make more of them, though better ones.
     found.poorness = std::max(found.poorness, std::log(kSharpAngle / std::max(angle, 1e-6)));
     const double aim = std::clamp(kAngleOpening * angle, kMinOpenedAngle, kMaxOpenedAngle);
-    openAngle(mesh, c, std::max(angle / aim, kMinOpeningShare), found.places);
+    openAngle(mesh, c, std::max(angle / aim, kMinOpeningShare), isLeast, found.places);
   }
   const bool isWorthIt = found.isBad || poor * kElementsForOnePoor >= mesh.elements.size();
   if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
   diagnosis = std::move(found);
 }
 
-void addElements(const Mesh& mesh, double share, std::vector<SizeSource>& places) {
+void addElements(const Mesh& mesh, double share, const IsLeast& isLeast,
+                 std::vector<SizeSource>& places) {
   for (const Element& element : mesh.elements) {
+    if (places.size() >= kMaxPlacesAtFault) return;
     const auto c = element.vertices();
     for (std::size_t i = 0; i < c.size(); ++i) {
-      const VertexId from = c[i], to = c[(i + 1) % c.size()];
-      if (from < to)  // else the element on the other side adds it
-        addEdge(places, mesh.vertices[from.value].position, mesh.vertices[to.value].position,
-                share);
+      const VertexId first = c[i], second = c[(i + 1) % c.size()];
+      if (!(first < second)) continue;  // the element on the other side adds it
+      const SurfacePoint &from = mesh.vertices[first.value], &to = mesh.vertices[second.value];
+      if (!isShortest(isLeast, from, to)) addEdge(places, from.position, to.position, share);
     }
   }
 }
@@ -281,9 +296,9 @@ FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary&
 }
 
 FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
-                           double area, double unseen) {
+                           double area, double unseen, const IsLeast& isLeast) {
   FaceDiagnosis diagnosis;
-  openAngles(mesh, boundary.input, unseen, diagnosis);
+  openAngles(mesh, boundary.input, unseen, isLeast, diagnosis);
   if (!(area > 0)) return diagnosis;
   const double ratio = areaOfElements(mesh) / area, error = std::abs(ratio - 1);
   if (!(error > kMaxAreaError)) return diagnosis;
@@ -293,17 +308,17 @@ FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool 
   // What a chord cuts off goes with the third power of its length, their number with the first.
   const double share =
       std::clamp(std::sqrt(kAimedAreaError / error), kMinShareForArea, kMaxShareForArea);
-  addBoundary(boundary.input, share, diagnosis.places);
-  if (!isPlane) addElements(mesh, share, diagnosis.places);
+  addBoundary(boundary.input, share, isLeast, diagnosis.places);
+  if (!isPlane) addElements(mesh, share, isLeast, diagnosis.places);
   return diagnosis;
 }
 
-void askForRoom(const Mesh& mesh, FaceDiagnosis& diagnosis) {
+void askForRoom(const Mesh& mesh, const IsLeast& isLeast, FaceDiagnosis& diagnosis) {
   constexpr double kPoornessOfTriangle = 100;  // more than that of any angles
   for (const Element& element : mesh.elements) {
     if (element.isQuad()) continue;
     diagnosis.poorness += kPoornessOfTriangle;
-    addSides(diagnosis.places, mesh, element);
+    addSides(diagnosis.places, mesh, element, isLeast);
   }
 }
 

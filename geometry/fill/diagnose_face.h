@@ -2,6 +2,7 @@
 // Not installed.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@
 
 namespace af2::geometry {
 
+/// Whether the wanted size at a point is the smallest that is allowed there. An edge with two such
+/// ends cannot become shorter, so it is no place to ask for that.
+using IsLeast = std::function<bool(const SurfacePoint&)>;
+
 /// Where a front got stuck, where a mesh has faults, and where the segments of the boundary cross.
 /// May contain no places.
 FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary& boundary,
@@ -21,13 +26,14 @@ FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary&
 /// Elements with tiny angles that shorter edges could open, and faces from whose area straight
 /// edges cut off too much.
 ///
-/// area    of the face; 0: unknown
-/// unseen  narrower details are invisible in the mesh
+/// area     of the face; 0: unknown
+/// unseen   narrower details are invisible in the mesh
+/// isLeast  may be empty
 FaceDiagnosis diagnoseMesh(const Mesh& mesh, const FaceBoundary& boundary, bool isPlane,
-                           double area, double unseen);
+                           double area, double unseen, const IsLeast& isLeast);
 
 /// Adds the triangles of a mesh that should have none: shorter edges could give room to join them.
-void askForRoom(const Mesh& mesh, FaceDiagnosis& diagnosis);
+void askForRoom(const Mesh& mesh, const IsLeast& isLeast, FaceDiagnosis& diagnosis);
 
 /// The area of the elements of a mesh.
 double areaOfElements(const Mesh& mesh);

@@ -123,6 +123,14 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
   }
 }
 
+IsLeast isLeastFor(const FaceFilling& filling) {
+  if (!filling.least) return {};
+  return [&](const SurfacePoint& point) {
+    constexpr double kMoreThanRounding = 1 + 1e-9;
+    return filling.wanted.sizeAt(point) <= kMoreThanRounding * filling.least(point);
+  };
+}
+
 [[noreturn]] void giveUp(const FaceFilling& filling, const FilledFace& filled, FaceMesh& mesh) {
   mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, filled.failures);
   if (!filled.failures.empty()) mesh.report.stuck = stuckPlaces(filled.failures.front());
@@ -159,7 +167,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   mesh.report.stuck = std::move(attempt.stuck);
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
   mesh.diagnosis = diagnoseMesh(attempt.result.mesh, boundary, task.surface.isPlane(), task.area,
-                                filling.unseen);
+                                filling.unseen, isLeastFor(filling));
   const bool onlyQuads = task.options.quads.onlyQuads;
   addLayers(boundary, originOf(WithoutRule::Layer, task.algorithm.rules()), attempt.result.mesh);
   addFans(boundary, fanElementsFor(task.options.quads),
@@ -178,7 +186,8 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
     mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
   if (onlyQuads) {
     reportTriangles(attempt.result.mesh, mesh.report);
-    if (mesh.report.oddLoops.empty()) askForRoom(attempt.result.mesh, mesh.diagnosis);
+    if (mesh.report.oddLoops.empty())
+      askForRoom(attempt.result.mesh, isLeastFor(filling), mesh.diagnosis);
   }
   if (filling.findMiddles) findMiddles(task.surface, attempt.result.mesh, mesh);
   take(attempt.result, boundary, mesh);

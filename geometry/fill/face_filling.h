@@ -17,6 +17,8 @@ struct FaceFilling {
   bool findMiddles = false;  ///< for elements of second order
   /// Sets the parameters of the places of a stuck front, if the surface has any.
   std::function<void(std::vector<StuckPlace>&)> findParameters = {};
+  /// The smallest size that is allowed at a point; may be empty, then all are.
+  std::function<double(const SurfacePoint&)> least = {};
 };
 
 /// Fills the face, optimises and judges the mesh, and stores the mesh, or the reason for its

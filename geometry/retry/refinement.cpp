@@ -14,6 +14,8 @@ namespace af2::geometry {
 
 namespace {
 
+constexpr double kMoreThanRounding = 1 + 1e-9;
+
 /// Places of which each requests a clearly smaller size than those before it do there. The last
 /// ones are compared one by one, all others are in trees; like the digits of a number, trees of
 /// equal size become one, so that no place is sorted more than a few times.
@@ -45,7 +47,10 @@ class ClearlySmaller {
   bool isCovered(const SizeSource& source) const {
     const double limit = kClearlySmaller * source.size;
     const auto covers = [&](const SizeSource& other) {
-      return other.size + growth_ * distance(other.position, source.position) <= limit;
+      const Point3 way = other.position - source.position;
+      const double reach = kMoreThanRounding * (limit - other.size);
+      if (growth_ * growth_ * dot(way, way) > reach * reach) return false;
+      return other.size + growth_ * length(way) <= limit;
     };
     if (largest_ <= limit) return true;
     if (std::any_of(places_.begin() + static_cast<std::ptrdiff_t>(inTrees_), places_.end(), covers))

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "geometry/sizes/sizes_at_corners.h"
 
 namespace af2::geometry {
 
@@ -22,28 +25,21 @@ constexpr double kShrinking = 1;
 /// A source may be left out if the others around it want no more than this times its size there.
 constexpr double kThinning = 1.3;
 
-/// The wanted size at each corner, loop by loop. It is stored, because evaluating a curved surface
-/// is expensive.
-using AtCorners = std::vector<std::vector<double>>;
-
-AtCorners wantedAtCorners(const FrontInput& boundary, const SizeField& wanted) {
-  AtCorners sizes;
-  for (const auto& loop : boundary.loops) {
-    std::vector<double>& ofLoop = sizes.emplace_back();
-    for (const BoundaryCorner& corner : loop) ofLoop.push_back(wanted.sizeAt(corner.point));
-  }
+SizesAtCorners wantedAtCorners(const FrontInput& boundary, const SizeField& wanted) {
+  SizesAtCorners sizes(boundary);
+  for (std::size_t i = 0; i < sizes.count(); ++i)
+    sizes.at(i).wanted = wanted.sizeAt(sizes.corner(i));
   return sizes;
 }
 
-double largestOf(const AtCorners& sizes) {
+double largestOf(SizesAtCorners& sizes) {
   double largest = 0;
-  for (const auto& loop : sizes)
-    for (const double size : loop) largest = std::max(largest, size);
+  for (std::size_t i = 0; i < sizes.count(); ++i) largest = std::max(largest, sizes.at(i).wanted);
   return largest;
 }
 
 /// The corners at which the boundary is divided more finely than is wanted.
-std::vector<SizeSource> shortSegments(const FrontInput& boundary, const AtCorners& wanted) {
+std::vector<SizeSource> shortSegments(const FrontInput& boundary, const SizesAtCorners& wanted) {
   std::vector<SizeSource> sources;
   for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
     const auto& loop = boundary.loops[l];
@@ -53,7 +49,8 @@ std::vector<SizeSource> shortSegments(const FrontInput& boundary, const AtCorner
       const Point3& after = loop[(i + 1) % loop.size()].point.position;
       // The geometric mean: beside a much longer neighbour, a tiny segment counts for less.
       const double spacing = std::sqrt(distance(before, here) * distance(here, after));
-      if (spacing > 0 && spacing < kShort * wanted[l][i]) sources.push_back({here, spacing});
+      if (spacing > 0 && spacing < kShort * wanted.find(loop[i].point)->wanted)
+        sources.push_back({here, spacing});
     }
   }
   return sources;
@@ -77,7 +74,7 @@ std::vector<SizeSource> thinned(std::vector<SizeSource> sources, double growth) 
 }
 
 /// Sources with negative sizes, so that the smallest of them is the longest segment.
-std::vector<SizeSource> longSegments(const FrontInput& boundary, const AtCorners& wanted) {
+std::vector<SizeSource> longSegments(const FrontInput& boundary, const SizesAtCorners& wanted) {
   std::vector<SizeSource> sources;
   for (std::size_t l = 0; l < boundary.loops.size(); ++l) {
     const auto& loop = boundary.loops[l];
@@ -85,7 +82,8 @@ std::vector<SizeSource> longSegments(const FrontInput& boundary, const AtCorners
       const std::size_t next = (i + 1) % loop.size();
       const Point3 &from = loop[i].point.position, &to = loop[next].point.position;
       const double segment = distance(from, to);
-      if (segment < kLong * std::max(wanted[l][i], wanted[l][next])) continue;
+      const auto wantedAt = [&](std::size_t k) { return wanted.find(loop[k].point)->wanted; };
+      if (segment < kLong * std::max(wantedAt(i), wantedAt(next))) continue;
       sources.push_back({0.5 * (from + to), -segment});
     }
   }
@@ -94,23 +92,42 @@ std::vector<SizeSource> longSegments(const FrontInput& boundary, const AtCorners
 
 }  // namespace
 
+struct GradedSize::Slopes {
+  GrowingSize growing;
+  GrowingSize shrinking;  ///< of negated sizes
+  SizesAtCorners corners;
+
+  double graded(const SurfacePoint& point, double size) const {
+    if (!shrinking.isEmpty()) size = std::max(size, -shrinking.at(point.position));
+    if (!growing.isEmpty()) size = growing.at(point.position, size);
+    return size;
+  }
+};
+
 GradedSize::GradedSize(const SizeField& wanted, const FrontInput& boundary, double growth)
     : wanted_(wanted) {
-  const AtCorners sizes = wantedAtCorners(boundary, wanted);
-  slopes_ = std::make_shared<const Slopes>(
-      Slopes{{thinned(shortSegments(boundary, sizes), growth), growth, largestOf(sizes)},
-             {longSegments(boundary, sizes), kShrinking, 0}});
+  SizesAtCorners sizes = wantedAtCorners(boundary, wanted);
+  GrowingSize growing(thinned(shortSegments(boundary, sizes), growth), growth, largestOf(sizes));
+  GrowingSize shrinking(longSegments(boundary, sizes), kShrinking, 0);
+  const auto slopes =
+      std::make_shared<Slopes>(Slopes{std::move(growing), std::move(shrinking), std::move(sizes)});
+  SizesAtCorners& corners = slopes->corners;
+  for (std::size_t i = 0; i < corners.count(); ++i)
+    corners.at(i).graded = slopes->graded(corners.corner(i), corners.at(i).wanted);
+  slopes_ = slopes;
 }
 
 GradedSize::GradedSize(const SizeField& wanted, const GradedSize& other)
     : wanted_(wanted), slopes_(other.slopes_) {}
 
 double GradedSize::sizeAt(const SurfacePoint& point) const {
-  const auto& [growing, shrinking] = *slopes_;
-  double size = wanted_.sizeAt(point);
-  if (!shrinking.isEmpty()) size = std::max(size, -shrinking.at(point.position));
-  if (!growing.isEmpty()) size = growing.at(point.position, size);
-  return size;
+  if (const auto* known = slopes_->corners.find(point)) return known->graded;
+  return slopes_->graded(point, wanted_.sizeAt(point));
+}
+
+double GradedSize::ungradedAt(const SurfacePoint& point) const {
+  const auto* known = slopes_->corners.find(point);
+  return known ? known->wanted : wanted_.sizeAt(point);
 }
 
 }  // namespace af2::geometry

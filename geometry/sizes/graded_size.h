@@ -23,15 +23,24 @@ class AF2_EXPORT GradedSize final : public SizeField {
   /// A copy for another thread, whose field `wanted` gives the same sizes as that of `other`.
   GradedSize(const SizeField& wanted, const GradedSize& other);
   double sizeAt(const SurfacePoint& point) const override;
+  /// That of the given field, before it is graded.
+  double ungradedAt(const SurfacePoint& point) const;
 
  private:
-  struct Slopes {
-    GrowingSize growing;
-    GrowingSize shrinking;  ///< of negated sizes
-  };
+  struct Slopes;
 
   const SizeField& wanted_;
   std::shared_ptr<const Slopes> slopes_;
+};
+
+/// The field that a graded one was made of, with the sizes that are known at the corners.
+class UngradedSize final : public SizeField {
+ public:
+  explicit UngradedSize(const GradedSize& graded) : graded_(graded) {}
+  double sizeAt(const SurfacePoint& point) const override { return graded_.ungradedAt(point); }
+
+ private:
+  const GradedSize& graded_;
 };
 
 }  // namespace af2::geometry

@@ -145,8 +145,9 @@ void clampSizes(EdgePiece& piece, const CadSizes& sizes) {
 }
 
 /// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
-void limitByPosition(EdgePiece& piece, const CadSizes& sizes) {
-  if (sizes.function) sizes.function.lower(piece.positions, piece.sizes);
+void limitByPosition(EdgePiece& piece, const PositionSize& function, const CadSizes& sizes) {
+  if (function && !std::ranges::equal(piece.sizes, piece.least, std::ranges::less_equal{}))
+    function.lower(piece.positions, piece.sizes);
   clampSizes(piece, sizes);
 }
 
@@ -325,7 +326,7 @@ void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamp
     cells = total < kMaxEqual ? sampler.equalCells(total) : finer(cells, samples.pieces);
     if (countOf(cells) > kMaxSamples) return;
     samples.pieces = sampler.pieces(cells);
-    for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+    for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes.function, sizes);
     tooCoarse = coarseness(samples.pieces);
   }
 }
@@ -355,7 +356,7 @@ EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes)
 
 EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples) {
-  for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes);
+  for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes.function, sizes);
   if (sizes.function || sizes.elementsPerTurn > 0)
     tryCurve(samples, [&] { resample(model, edge, sizes, samples); });
   return samples;
@@ -365,9 +366,8 @@ bool isWithinLimits(const PositionSize& function, const CadSizes& sizes, const E
                     bool areDense) {
   if (!areDense && coarseness(samples.pieces) > 1) return false;
   return std::ranges::all_of(samples.pieces, [&](const EdgePiece& piece) {
-    EdgePiece limited{{}, {}, {}, piece.sizes, piece.least};
-    if (function) function.lower(piece.positions, limited.sizes);
-    clampSizes(limited, sizes);
+    EdgePiece limited{{}, {}, piece.positions, piece.sizes, piece.least};
+    limitByPosition(limited, function, sizes);
     return limited.sizes == piece.sizes;
   });
 }

@@ -181,9 +181,12 @@ class FaceMesher {
                         request.limits,
                         request.progress,
                         tools};
-    FaceFilling filling{task, wanted, kUnseen * wantedOnFace(context_.sizes, face_),
+    const UngradedSize ungraded(size);
+    FaceFilling filling{task, ungraded, kUnseen * wantedOnFace(context_.sizes, face_),
                         request.findMiddles};
     filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
+    if (context_.sizes.minSize > 0)
+      filling.least = [&](const SurfacePoint& point) { return wanted.leastAt(point); };
     fillAndJudge(filling, boundary, mesh);
   }
 

@@ -72,6 +72,7 @@ class Filling {
     const double wantedSize = wantedOnFace(task_.sizes, firstFace());
     const std::unique_ptr<SizeField> wanted = makeSize(surface_);
     const GradedSize graded(*wanted, boundary.input, task_.sizes.growth);
+    const UngradedSize ungraded(graded);
     const QuiltCharts charts(surface_);
     const ChartedSurface& surface = flat_ ? static_cast<const ChartedSurface&>(*flat_) : charts;
     const std::function<PieceTools(ChartKind)> tools = [&](ChartKind kind) {
@@ -80,12 +81,13 @@ class Filling {
     fillAndJudge({{surface, boundary, graded, mesh.report.area, task_.expectedElements,
                    task_.request.algorithm, task_.request.options, task_.mayBeFineInside,
                    task_.request.limits, task_.request.progress, tools},
-                  *wanted,
+                  ungraded,
                   kUnseen * wantedSize,
                   task_.request.findMiddles,
                   [](std::vector<StuckPlace>& places) {
                     for (StuckPlace& place : places) place.u = place.v = 0;
-                  }},
+                  },
+                  [&](const SurfacePoint&) { return task_.sizes.minSize; }},
                  boundary, mesh);
     if (flat_) return;
     for (Point3& vertex : mesh.inside) vertex = surface_.settled(vertex);

@@ -11,13 +11,14 @@ FaceSize::FaceSize(const CadSizes& sizes, int face, const FaceSurface& surface)
 }
 
 CurvedSize FaceSize::curvedAt(const SurfacePoint& point) const {
-  return curvedSizeAt(sizes_, face_, wanted_, surface_, point);
+  return alike_ ? *alike_ : curvedSizeAt(sizes_, face_, wanted_, surface_, point);
 }
 
 double FaceSize::sizeAt(const SurfacePoint& point) const {
-  const CurvedSize curved = alike_ ? *alike_ : curvedAt(point);
-  return bounded(sizes_, curved,
-                 limitByFunction(sizes_, curved.share * curved.limit, point.position));
+  const CurvedSize curved = curvedAt(point);
+  const double size = curved.share * curved.limit;
+  const bool canBeLess = size > curved.least;
+  return bounded(sizes_, curved, canBeLess ? limitByFunction(sizes_, size, point.position) : size);
 }
 
 }  // namespace af2::geometry

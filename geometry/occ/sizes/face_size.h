@@ -16,6 +16,8 @@ class FaceSize final : public SizeField {
  public:
   FaceSize(const CadSizes& sizes, int face, const FaceSurface& surface);
   double sizeAt(const SurfacePoint& point) const override;
+  /// The smallest size that is allowed at a point.
+  double leastAt(const SurfacePoint& point) const { return curvedAt(point).least; }
 
  private:
   CurvedSize curvedAt(const SurfacePoint& point) const;

@@ -92,6 +92,40 @@ TEST(GradedSize, IsTheSameOverAnotherFieldWithTheSameSizes) {
     EXPECT_EQ(other.sizeAt({{x, 0.05, 0}, {}}), size.sizeAt({{x, 0.05, 0}, {}}));
 }
 
+/// The size at a corner is asked for many times, and each evaluation of a surface is expensive.
+TEST(GradedSize, EvaluatesTheWantedSizeAtACornerOnce) {
+  int evaluations = 0;
+  const SizeFunction wanted([&](const Point3& p) {
+    ++evaluations;
+    return 1 + p.x;
+  });
+  const FrontInput boundary = rectangle(8, 0.1);
+  const GradedSize size(wanted, boundary, 0.5);
+  const UngradedSize ungraded(size);
+  EXPECT_EQ(evaluations, 4);
+  for (const BoundaryCorner& corner : boundary.loops[0]) {
+    EXPECT_EQ(ungraded.sizeAt(corner.point), 1 + corner.point.position.x);
+    EXPECT_LE(size.sizeAt(corner.point), 9);
+  }
+  EXPECT_EQ(evaluations, 4);
+  EXPECT_EQ(ungraded.sizeAt({{4, 0.05, 0}, {}}), 5);
+  EXPECT_EQ(evaluations, 5);
+}
+
+/// Corners with one place and different parameters are different: surfaces may bend otherwise.
+TEST(GradedSize, KnowsCornersByPlaceAndParameters) {
+  struct ByParameter final : SizeField {
+    double sizeAt(const SurfacePoint& point) const override { return 1 + point.u; }
+  };
+  const ByParameter wanted;
+  FrontInput boundary = rectangle(8, 8);
+  const GradedSize size(wanted, boundary, 0.5);
+  SurfacePoint other = boundary.loops[0][0].point;
+  EXPECT_EQ(UngradedSize(size).sizeAt(other), 1);
+  other.u = 2;
+  EXPECT_EQ(UngradedSize(size).sizeAt(other), 3);
+}
+
 TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
   const UniformSize wanted(1);
   EXPECT_EQ(GradedSize(wanted, rectangle(0.8, 0.8), 0.5).sizeAt({{0, 0, 0}, {}}), 1);

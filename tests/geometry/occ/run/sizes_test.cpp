@@ -274,5 +274,19 @@ TEST(Sizes, ThatAskForTooManyElementsAreRefused) {
   EXPECT_THROW(testing::mesh(testing::cylinder(3, 9), optionsOf(turned)), InputError);
 }
 
+/// Too much of the area is cut off, but shorter edges are not to be had.
+TEST(Sizes, AreNotTriedBelowTheLeast) {
+  const gp_Ax2 axes(gp_Pnt(0, 0, 0), gp::DZ());
+  const Model quarter =
+      testing::modelOf(BRepPrimAPI_MakeCylinder(axes, 1, 20, std::numbers::pi / 2).Shape());
+  Sizes sizes = sizesOf(1.6);
+  sizes.minSize = 1.6;
+  const ModelMesh coarse = mesh(quarter, sizes);
+  for (const FaceReport& face : coarse.faces)
+    EXPECT_TRUE(face.attempts.empty()) << face.id << ": " << face.attempts.front();
+  sizes.minSize = 0;
+  EXPECT_GT(mesh(quarter, sizes).elements.size(), coarse.elements.size());
+}
+
 }  // namespace
 }  // namespace af2::geometry

@@ -1,0 +1,52 @@
+#include "geometry/sizes/sizes_at_corners.h"
+
+#include <bit>
+
+namespace af2::geometry {
+
+namespace {
+
+bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
+  return a.position == b.position && a.normal == b.normal && a.u == b.u && a.v == b.v;
+}
+
+/// The upper bits of the product depend on all bits of the coordinates.
+std::uint64_t mixed(const SurfacePoint& point) {
+  constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15;
+  std::uint64_t bits = 0;
+  for (const double x : {point.position.x, point.position.y, point.position.z})
+    bits = (std::rotl(bits, 23) ^ std::bit_cast<std::uint64_t>(x)) * kFactor;
+  return bits;
+}
+
+}  // namespace
+
+SizesAtCorners::SizesAtCorners(const FrontInput& boundary) {
+  std::size_t count = 0;
+  for (const auto& loop : boundary.loops) count += loop.size();
+  corners_.reserve(count);
+  slots_.assign(std::bit_ceil(2 * count + 2), 0);
+  for (const auto& loop : boundary.loops)
+    for (const BoundaryCorner& corner : loop) {
+      std::uint32_t& slot = slots_[slotOf(corner.point)];
+      if (slot != 0) continue;
+      corners_.push_back({corner.point, {}});
+      slot = static_cast<std::uint32_t>(corners_.size());
+    }
+}
+
+/// That of a corner, or the empty one where it would be.
+std::size_t SizesAtCorners::slotOf(const SurfacePoint& point) const {
+  const int shift = 64 - std::countr_zero(slots_.size());
+  std::size_t slot = mixed(point) >> shift;
+  while (slots_[slot] != 0 && !isSame(corners_[slots_[slot] - 1].point, point))
+    slot = (slot + 1) % slots_.size();
+  return slot;
+}
+
+const SizesAtCorners::Sizes* SizesAtCorners::find(const SurfacePoint& point) const {
+  const std::uint32_t found = slots_[slotOf(point)];
+  return found == 0 ? nullptr : &corners_[found - 1].sizes;
+}
+
+}  // namespace af2::geometry
