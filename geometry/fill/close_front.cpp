@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "engine/base/predicates.h"
 #include "geometry/base/disjoint_sets.h"
@@ -33,32 +35,91 @@ struct Box {
   }
 };
 
-/// An edge of the front in the plane.
-struct DrawnEdge {
-  Edge edge;
-  Point2 from, to;
-  double length = 0;
-  Box box;
+/// The edges of a front in the plane, in the order in which they were added. What is looked at for
+/// all of them lies side by side.
+class DrawnFront {
+ public:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  std::size_t size() const { return edges_.size(); }  ///< with those that were taken out
+  bool isEmpty() const { return byLength_.empty(); }
+  bool has(std::size_t i) const { return isOn_[i]; }
+  Edge edge(std::size_t i) const { return edges_[i]; }
+  Point2 from(std::size_t i) const { return from_[i]; }
+  Point2 to(std::size_t i) const { return to_[i]; }
+  const Box& box(std::size_t i) const { return boxes_[i]; }
+  std::size_t shortest() const { return index_.at(byLength_.begin()->second); }
+  bool has(Edge edge) const { return index_.contains(edge); }
+
+  void add(Edge edge, Point2 from, Point2 to) {
+    if (!index_.emplace(edge, edges_.size()).second) return;
+    byLength_.emplace(distance(from, to), edge);
+    edges_.push_back(edge);
+    from_.push_back(from);
+    to_.push_back(to);
+    boxes_.push_back(Box::of(from, to));
+    isOn_.push_back(true);
+  }
+
+  /// Returns whether the edge was there.
+  bool takeOut(Edge edge) {
+    const auto found = index_.find(edge);
+    if (found == index_.end()) return false;
+    const std::size_t i = found->second;
+    byLength_.erase({distance(from_[i], to_[i]), edge});
+    index_.erase(found);
+    isOn_[i] = false;
+    boxes_[i] = kNowhere;
+    if (edges_.size() > 2 * index_.size() + kFew) forgetTakenOut();
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 16;
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  static constexpr Box kNowhere{{kFar, kFar}, {-kFar, -kFar}};
+
+  void forgetTakenOut() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      if (!isOn_[i]) continue;
+      edges_[kept] = edges_[i];
+      from_[kept] = from_[i];
+      to_[kept] = to_[i];
+      boxes_[kept] = boxes_[i];
+      index_.at(edges_[i]) = kept++;
+    }
+    edges_.resize(kept);
+    from_.resize(kept);
+    to_.resize(kept);
+    boxes_.resize(kept);
+    isOn_.assign(kept, true);
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<Point2> from_, to_;
+  std::vector<Box> boxes_;
+  std::vector<bool> isOn_;
+  std::map<Edge, std::size_t> index_;
+  std::set<std::pair<double, Edge>> byLength_;
 };
 
 class Closer {
  public:
   Closer(const std::vector<StuckEdge>& front, const std::function<Point2(VertexId)>& inPlane)
       : inPlane_(inPlane) {
-    for (const StuckEdge& edge : front) front_.push_back(drawn({edge.from, edge.to}));
+    for (const StuckEdge& edge : front) add({edge.from, edge.to});
   }
 
   /// Nothing if some edge has no triangle.
   std::optional<std::vector<Element>> close() {
-    while (!front_.empty()) {
-      const DrawnEdge base =
-          *std::min_element(front_.begin(), front_.end(), [](const auto& e, const auto& f) {
-            return std::pair(e.length, e.edge) < std::pair(f.length, f.edge);
-          });
+    while (!front_.isEmpty()) {
+      const std::size_t i = front_.shortest();
+      const Base base{front_.edge(i), front_.from(i), front_.to(i)};
       const std::optional<VertexId> apex = bestApex(base);
       if (!apex) return std::nullopt;
       elements_.push_back({{base.edge.from, base.edge.to, *apex, VertexId()}});
-      std::erase_if(front_, [&](const DrawnEdge& e) { return e.edge == base.edge; });
+      front_.takeOut(base.edge);
       join({base.edge.from, *apex});
       join({*apex, base.edge.to});
     }
@@ -66,6 +127,12 @@ class Closer {
   }
 
  private:
+  /// The edge of the front that gets a triangle.
+  struct Base {
+    Edge edge;
+    Point2 from, to;
+  };
+
   /// A vertex that may become the third corner of a triangle.
   struct Apex {
     double shape;
@@ -76,70 +143,71 @@ class Closer {
     }
   };
 
-  DrawnEdge drawn(Edge edge) const {
-    const Point2 from = inPlane_(edge.from), to = inPlane_(edge.to);
-    return {edge, from, to, distance(from, to), Box::of(from, to)};
-  }
-
-  auto find(Edge edge) { return std::ranges::find(front_, edge, &DrawnEdge::edge); }
-  bool isOnFront(Edge edge) const {
-    return std::ranges::find(front_, edge, &DrawnEdge::edge) != front_.end();
-  }
+  void add(Edge edge) { front_.add(edge, inPlane_(edge.from), inPlane_(edge.to)); }
 
   /// Whether an edge may not be added. Both sides of an edge may be on the front, as along a path
   /// through its region; then the opposite one is closed.
-  bool isTaken(Edge edge) const { return isOnFront(edge) && !isOnFront({edge.to, edge.from}); }
+  bool isTaken(Edge edge) const { return front_.has(edge) && !front_.has({edge.to, edge.from}); }
 
   /// Adds an edge to the front, or takes out the opposite one.
   void join(Edge edge) {
-    const auto opposite = find({edge.to, edge.from});
-    if (opposite == front_.end())
-      front_.push_back(drawn(edge));
-    else
-      front_.erase(opposite);
+    if (!front_.takeOut({edge.to, edge.from})) add(edge);
   }
 
   /// Of those that are free, the one with the best shape, and the first of several. Mostly it is
   /// among the best few, so that they are not sorted.
-  std::optional<VertexId> bestApex(const DrawnEdge& base) {
+  std::optional<VertexId> bestApex(const Base& base) {
     apexes_.clear();
-    for (std::size_t i = 0; i < front_.size(); ++i) {
-      const VertexId from = front_[i].edge.from;
-      if (from != base.edge.from && from != base.edge.to)
-        apexes_.push_back({shapeOf(base, front_[i].from), i});
-    }
+    for (std::size_t i = 0; i < front_.size(); ++i)
+      if (front_.has(i)) apexes_.push_back({shapeOf(base, front_.from(i)), i});
     std::make_heap(apexes_.begin(), apexes_.end());
     for (auto end = apexes_.end(); end != apexes_.begin(); --end) {
       std::pop_heap(apexes_.begin(), end);
-      const DrawnEdge& best = front_[(end - 1)->edge];
-      if (isFree(base, best.edge.from, best.from)) return best.edge.from;
+      const std::size_t best = (end - 1)->edge;
+      const VertexId apex = front_.edge(best).from;
+      if (apex == base.edge.from || apex == base.edge.to) continue;
+      if (isFree(base, apex, front_.from(best))) return apex;
     }
     return std::nullopt;
   }
 
   /// Area over squared edges.
-  static double shapeOf(const DrawnEdge& base, Point2 c) {
+  static double shapeOf(const Base& base, Point2 c) {
     const Point2 a = base.from, b = base.to;
     return std::abs(cross(b - a, c - a)) /
            (dot(b - a, b - a) + dot(c - b, c - b) + dot(a - c, a - c));
   }
 
-  bool isFree(const DrawnEdge& base, VertexId apex, Point2 c) const {
+  bool isFree(const Base& base, VertexId apex, Point2 c) const {
     const Point2 a = base.from, b = base.to;
     if (orientation(a, b, c) != Turn::Left) return false;
-    const DrawnEdge left{{base.edge.from, apex}, a, c, 0, {}};
-    const DrawnEdge right{{apex, base.edge.to}, c, b, 0, {}};
+    const Base left{{base.edge.from, apex}, a, c}, right{{apex, base.edge.to}, c, b};
     if (isTaken(left.edge) || isTaken(right.edge)) return false;
     const Box triangle{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                        {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
-    for (const DrawnEdge& e : front_) {
-      if (triangle.isApartFrom(e.box)) continue;  // predicates are exact: they would say so, too
-      const VertexId from = e.edge.from;
-      const bool isCorner = from == base.edge.from || from == base.edge.to || from == apex;
-      if (!isCorner && holds(a, b, c, e.from)) return false;
-      if (crosses(left, e) || crosses(right, e)) return false;
+    for (std::size_t i = 0; i < front_.size(); ++i) {
+      // Predicates are exact: they would say so, too.
+      if (triangle.isApartFrom(front_.box(i))) continue;
+      const Point2 from = front_.from(i), to = front_.to(i);
+      if (areRightOf(a, b, from, to) || areRightOf(b, c, from, to) || areRightOf(c, a, from, to))
+        continue;
+      const Edge e = front_.edge(i);
+      const bool isCorner = e.from == base.edge.from || e.from == base.edge.to || e.from == apex;
+      if (!isCorner && holds(a, b, c, from)) return false;
+      if (crosses(left, e, from, to) || crosses(right, e, from, to)) return false;
     }
     return true;
+  }
+
+  /// Whether two points are clearly right of a line: a bound on the error of both products and
+  /// their difference tells.
+  static bool areRightOf(Point2 a, Point2 b, Point2 p, Point2 q) {
+    constexpr double kBound = 4e-16;  // (3 + 16 e) e for e = 2^-53 would do
+    const auto isRight = [&](Point2 at) {
+      const double one = (a.x - at.x) * (b.y - at.y), other = (a.y - at.y) * (b.x - at.x);
+      return one - other < -kBound * (std::abs(one) + std::abs(other));
+    };
+    return isRight(p) && isRight(q);
   }
 
   static bool holds(Point2 a, Point2 b, Point2 c, Point2 p) {
@@ -147,14 +215,14 @@ class Closer {
            orientation(c, a, p) != Turn::Right;
   }
 
-  static bool crosses(const DrawnEdge& side, const DrawnEdge& e) {
-    const auto isEnd = [&](VertexId v) { return v == e.edge.from || v == e.edge.to; };
+  static bool crosses(const Base& side, Edge e, Point2 from, Point2 to) {
+    const auto isEnd = [&](VertexId v) { return v == e.from || v == e.to; };
     return !isEnd(side.edge.from) && !isEnd(side.edge.to) &&
-           segmentsMeet(side.from, side.to, e.from, e.to);
+           segmentsMeet(side.from, side.to, from, to);
   }
 
   const std::function<Point2(VertexId)>& inPlane_;
-  std::vector<DrawnEdge> front_;
+  DrawnFront front_;
   std::vector<Apex> apexes_;
   std::vector<Element> elements_;
 };

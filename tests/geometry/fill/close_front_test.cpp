@@ -65,6 +65,30 @@ TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
   EXPECT_NEAR(areaOf(result.mesh), 0.01 * kSegments, 1e-9);
 }
 
+/// Boxes of edges tell little in it: each side has to be compared with many.
+TEST(CloseFront, FillsAJaggedRingAtAnAngle) {
+  constexpr int kSegments = 700;
+  const auto at = [](int i, double radius) {
+    const double angle = 2 * std::numbers::pi * i / kSegments;
+    const double jagged = radius * (1 + 1e-3 * (i * 37 % 11));
+    const Point2 p{100 * jagged * std::cos(angle), jagged * std::sin(angle)};
+    return Point2{p.x - p.y, p.x + p.y};
+  };
+  std::vector<Point2> outer, inner;
+  for (int i = 0; i < kSegments; ++i) outer.push_back(at(i, 1));
+  for (int i = kSegments; i > 0; --i) inner.push_back(at(i, 0.98));
+  const auto areaWithin = [](const std::vector<Point2>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      twice += cross(loop[i], loop[(i + 1) % loop.size()]);
+    return twice / 2;
+  };
+  MeshingResult result = stuckAt({outer, inner});
+  ASSERT_TRUE(close(result, kMaxClosingEdges));
+  EXPECT_EQ(result.mesh.elements.size(), 2u * kSegments);
+  EXPECT_NEAR(areaOf(result.mesh), areaWithin(outer) + areaWithin(inner), 1e-9);
+}
+
 TEST(CloseFront, FillsAroundAHole) {
   MeshingResult result =
       stuckAt({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
