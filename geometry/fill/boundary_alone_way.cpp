@@ -58,7 +58,8 @@ bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
 }  // namespace
 
 bool isNarrow(const FaceTask& task) {
-  if (!task.surface.isPlane() || !(task.area > 0)) return false;
+  if (!(task.area > 0)) return false;
+  if (!task.surface.isPlane() && !hasOneSheet(task)) return false;
   double perimeter = 0, segments = 0;
   for (const auto& loop : task.boundary.input.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -117,7 +118,8 @@ bool isBetterWithoutVertices(const FillState& state, const FaceAttempt& attempt)
   const FaceTask& task = state.task;
   const bool isStrip = isNarrow(task);
   if (isStrip && hasLongEdges(task.boundary.input, attempt.result.mesh)) return false;
-  if (!state.best) return true;
+  // A curved strip may turn by more than its segments follow; then charts come first.
+  if (!state.best) return !isStrip || !state.failed.empty() || isNearArea(task, attempt);
   return isStrip ? worstDistortion(attempt) < worstDistortion(*state.best)
                  : areaError(task, attempt) < areaError(task, *state.best);
 }

@@ -6,8 +6,8 @@
 
 namespace af2::geometry {
 
-/// Whether a plane face is a strip, far narrower than its segments are long: vertices inside make
-/// its elements only thinner.
+/// Whether a face is a strip, far narrower than its segments are long: vertices inside make its
+/// elements only thinner.
 bool isNarrow(const FaceTask& task);
 /// Whether the face is such a strip that is to have triangles. A front would try in vain to put
 /// vertices there, at a cost of hundreds of candidates for each element.
@@ -17,7 +17,8 @@ bool needsNoVertices(const FillState& state);
 bool mayNeedNoVertices(const FillState& state);
 FaceAttempt fillFromBoundary(FillState& state);
 /// Whether the mesh is better than the one with vertices inside, if there is one: judged by the
-/// worst element in a narrow strip, by the area elsewhere.
+/// worst element in a narrow strip, by the area elsewhere. Where charts have not been tried yet, it
+/// is good enough if it has the area of the face.
 bool isBetterWithoutVertices(const FillState& state, const FaceAttempt& attempt);
 
 /// Whether the area of the elements is about that of the face; true if the latter is unknown.

@@ -374,5 +374,20 @@ TEST(DifficultFaces, PatchesBentMoreThanAFewElementsCanFollowAreClosedLeaning) {
   }
 }
 
+/// A front would try in vain to put vertices into it.
+TEST(DifficultFaces, CurvedStripsAreFilledFromTheirBoundaries) {
+  const gp_Ax2 axes(gp_Pnt(0, 0, 0), gp::DZ());
+  const auto closedIn = [&](double height) {
+    const ModelMesh result =
+        testing::mesh(BRepPrimAPI_MakeCylinder(axes, 10, height, 1).Shape(), 1);
+    testing::expectComplete(result);
+    const auto curved = std::ranges::find(result.faces, "cylinder", &FaceReport::surfaceType);
+    EXPECT_NEAR(curved->area, 10 * height, 1e-3 * height);
+    return static_cast<double>(curved->withoutRule.closing) / static_cast<double>(curved->elements);
+  };
+  EXPECT_EQ(closedIn(0.002), 1);
+  EXPECT_EQ(closedIn(2), 0);
+}
+
 }  // namespace
 }  // namespace af2::geometry
