@@ -59,7 +59,8 @@ bool hasLongEdges(const FrontInput& boundary, const Mesh& mesh) {
 
 bool isNarrow(const FaceTask& task) {
   if (!(task.area > 0)) return false;
-  if (!task.surface.isPlane() && !hasOneSheet(task)) return false;
+  const bool isPlane = task.surface.isPlane();
+  if (!isPlane && (task.algorithm.rules().makesQuads() || !hasOneSheet(task))) return false;
   double perimeter = 0, segments = 0;
   for (const auto& loop : task.boundary.input.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -67,7 +68,7 @@ bool isNarrow(const FaceTask& task) {
     segments += static_cast<double>(loop.size());
   }
   const double width = 2 * task.area / perimeter;
-  return width < kNarrowStrip * perimeter / segments;
+  return width < (isPlane ? kNarrowStrip : kVeryNarrowStrip) * perimeter / segments;
 }
 
 bool isNearArea(const FaceTask& task, const FaceAttempt& attempt) {

@@ -7,7 +7,7 @@
 namespace af2::geometry {
 
 /// Whether a face is a strip, far narrower than its segments are long: vertices inside make its
-/// elements only thinner.
+/// elements only thinner. Curved faces that are to have quadrilaterals are none.
 bool isNarrow(const FaceTask& task);
 /// Whether the face is such a strip that is to have triangles. A front would try in vain to put
 /// vertices there, at a cost of hundreds of candidates for each element.

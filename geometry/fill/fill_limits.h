@@ -57,6 +57,9 @@ inline constexpr double kNearArea = 1.25;
 /// thinner.
 inline constexpr double kNarrowStrip = 0.3;
 
+/// The same for curved strips. In wider ones, rules find a way.
+inline constexpr double kVeryNarrowStrip = 0.03;
+
 /// Length of an edge across a strip over that of the segments at its ends. A strip with longer
 /// edges is wider there than elsewhere, and needs vertices inside.
 inline constexpr double kLongAcross = 2.2;
