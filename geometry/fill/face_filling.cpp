@@ -127,7 +127,8 @@ IsLeast isLeastFor(const FaceFilling& filling) {
   if (!filling.least) return {};
   return [&](const SurfacePoint& point) {
     constexpr double kMoreThanRounding = 1 + 1e-9;
-    return filling.wanted.sizeAt(point) <= kMoreThanRounding * filling.least(point);
+    const double least = filling.least(point);
+    return least > 0 && filling.wanted.sizeAt(point) <= kMoreThanRounding * least;
   };
 }
 

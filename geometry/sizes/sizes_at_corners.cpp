@@ -1,22 +1,21 @@
 #include "geometry/sizes/sizes_at_corners.h"
 
+#include <array>
 #include <bit>
 
 namespace af2::geometry {
 
 namespace {
 
-bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.position == b.position && a.normal == b.normal && a.u == b.u && a.v == b.v;
-}
+/// Compared instead of numbers, so that even those that are none are found again.
+using Bits = std::array<std::uint64_t, sizeof(SurfacePoint) / sizeof(double)>;
 
-/// The upper bits of the product depend on all bits of the coordinates.
-std::uint64_t mixed(const SurfacePoint& point) {
+/// The upper bits of the product depend on all bits of the place.
+std::uint64_t mixed(const Bits& bits) {
   constexpr std::uint64_t kFactor = 0x9E3779B97F4A7C15;
-  std::uint64_t bits = 0;
-  for (const double x : {point.position.x, point.position.y, point.position.z})
-    bits = (std::rotl(bits, 23) ^ std::bit_cast<std::uint64_t>(x)) * kFactor;
-  return bits;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < 3; ++i) all = (std::rotl(all, 23) ^ bits[i]) * kFactor;
+  return all;
 }
 
 }  // namespace
@@ -37,9 +36,10 @@ SizesAtCorners::SizesAtCorners(const FrontInput& boundary) {
 
 /// That of a corner, or the empty one where it would be.
 std::size_t SizesAtCorners::slotOf(const SurfacePoint& point) const {
+  const Bits bits = std::bit_cast<Bits>(point);
   const int shift = 64 - std::countr_zero(slots_.size());
-  std::size_t slot = mixed(point) >> shift;
-  while (slots_[slot] != 0 && !isSame(corners_[slots_[slot] - 1].point, point))
+  std::size_t slot = mixed(bits) >> shift;
+  while (slots_[slot] != 0 && std::bit_cast<Bits>(corners_[slots_[slot] - 1].point) != bits)
     slot = (slot + 1) % slots_.size();
   return slot;
 }

@@ -22,7 +22,7 @@ class SizesAtCorners {
   std::size_t count() const { return corners_.size(); }
   const SurfacePoint& corner(std::size_t i) const { return corners_[i].point; }
   Sizes& at(std::size_t i) { return corners_[i].sizes; }
-  /// Null where there is no corner with exactly this place and these parameters.
+  /// Null where there is no corner with exactly this place, normal and parameters.
   const Sizes* find(const SurfacePoint& point) const;
 
  private:

@@ -146,8 +146,8 @@ void clampSizes(EdgePiece& piece, const CadSizes& sizes) {
 
 /// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
 void limitByPosition(EdgePiece& piece, const PositionSize& function, const CadSizes& sizes) {
-  if (function && !std::ranges::equal(piece.sizes, piece.least, std::ranges::less_equal{}))
-    function.lower(piece.positions, piece.sizes);
+  const bool areLeast = std::ranges::equal(piece.sizes, piece.least, std::ranges::less_equal{});
+  if (function && !areLeast) function.lower(piece.positions, piece.sizes);
   clampSizes(piece, sizes);
 }
 

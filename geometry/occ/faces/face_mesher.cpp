@@ -185,8 +185,7 @@ class FaceMesher {
     FaceFilling filling{task, ungraded, kUnseen * wantedOnFace(context_.sizes, face_),
                         request.findMiddles};
     filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
-    if (context_.sizes.minSize > 0)
-      filling.least = [&](const SurfacePoint& point) { return wanted.leastAt(point); };
+    filling.least = [&](const SurfacePoint& point) { return wanted.leastAt(point); };
     fillAndJudge(filling, boundary, mesh);
   }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "tests/support/flat_surface.h"
@@ -124,6 +125,16 @@ TEST(GradedSize, KnowsCornersByPlaceAndParameters) {
   EXPECT_EQ(UngradedSize(size).sizeAt(other), 1);
   other.u = 2;
   EXPECT_EQ(UngradedSize(size).sizeAt(other), 3);
+}
+
+/// A file may have such coordinates; others tell of them.
+TEST(GradedSize, StandsCornersThatAreNoNumbers) {
+  const UniformSize wanted(1);
+  FrontInput boundary = rectangle(8, 8);
+  boundary.loops[0][1].point.position.x = std::numeric_limits<double>::quiet_NaN();
+  const GradedSize size(wanted, boundary, 0.5);
+  EXPECT_EQ(UngradedSize(size).sizeAt(boundary.loops[0][1].point), 1);
+  EXPECT_GE(size.sizeAt(boundary.loops[0][0].point), 1);
 }
 
 TEST(GradedSize, LeavesAnEvenBoundaryAlone) {
