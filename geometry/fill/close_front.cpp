@@ -39,8 +39,6 @@ struct Box {
 /// all of them lies side by side.
 class DrawnFront {
  public:
-  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
   std::size_t size() const { return edges_.size(); }  ///< with those that were taken out
   bool isEmpty() const { return byLength_.empty(); }
   bool has(std::size_t i) const { return isOn_[i]; }
@@ -186,7 +184,7 @@ class Closer {
     const Box triangle{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
                        {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
     for (std::size_t i = 0; i < front_.size(); ++i) {
-      // Predicates are exact: they would say so, too.
+      // Most edges are beside the triangle; the tests below would say so, too, but later.
       if (triangle.isApartFrom(front_.box(i))) continue;
       const Point2 from = front_.from(i), to = front_.to(i);
       if (areRightOf(a, b, from, to) || areRightOf(b, c, from, to) || areRightOf(c, a, from, to))
@@ -199,15 +197,8 @@ class Closer {
     return true;
   }
 
-  /// Whether two points are clearly right of a line: a bound on the error of both products and
-  /// their difference tells.
   static bool areRightOf(Point2 a, Point2 b, Point2 p, Point2 q) {
-    constexpr double kBound = 4e-16;  // (3 + 16 e) e for e = 2^-53 would do
-    const auto isRight = [&](Point2 at) {
-      const double one = (a.x - at.x) * (b.y - at.y), other = (a.y - at.y) * (b.x - at.x);
-      return one - other < -kBound * (std::abs(one) + std::abs(other));
-    };
-    return isRight(p) && isRight(q);
+    return orientation(a, b, p) == Turn::Right && orientation(a, b, q) == Turn::Right;
   }
 
   static bool holds(Point2 a, Point2 b, Point2 c, Point2 p) {

@@ -128,7 +128,7 @@ TEST(GradedSize, KnowsCornersByPlaceAndParameters) {
 }
 
 /// A file may have such coordinates; others tell of them.
-TEST(GradedSize, StandsCornersThatAreNoNumbers) {
+TEST(GradedSize, CopesWithCornersThatAreNoNumbers) {
   const UniformSize wanted(1);
   FrontInput boundary = rectangle(8, 8);
   boundary.loops[0][1].point.position.x = std::numeric_limits<double>::quiet_NaN();
