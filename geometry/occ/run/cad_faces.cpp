@@ -23,7 +23,7 @@
 #include "geometry/occ/faces/faces_on_faces.h"
 #include "geometry/occ/faces/meeting_faces.h"
 #include "geometry/occ/faces/surface_faults.h"
-#include "geometry/occ/model/solid_volume.h"
+#include "geometry/occ/faces/solid_volume.h"
 #include "geometry/occ/run/creased_shape.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"

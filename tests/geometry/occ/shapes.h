@@ -2,6 +2,7 @@
 #pragma once
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -54,6 +55,13 @@ inline geometry::Model sphere(double radius) {
 }
 inline geometry::Model torus(double major, double minor) {
   return modelOf(BRepPrimAPI_MakeTorus(major, minor).Shape());
+}
+
+/// A block with a slanted hole.
+inline TopoDS_Shape drilledBlock() {
+  const gp_Ax2 slanted(gp_Pnt(2, 1.5, -1), gp_Dir(0.2, 0.1, 1));
+  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(4, 3, 2).Shape(),
+                         BRepPrimAPI_MakeCylinder(slanted, 0.7, 6).Shape());
 }
 
 inline TopoDS_Edge circle(double radius) {

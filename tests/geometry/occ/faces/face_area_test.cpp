@@ -42,12 +42,6 @@ void expectAreasOfOpenCascade(const TopoDS_Shape& shape) {
   }
 }
 
-TopoDS_Shape drilledBlock() {
-  const gp_Ax2 slanted(gp_Pnt(2, 1.5, -1), gp_Dir(0.2, 0.1, 1));
-  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(4, 3, 2).Shape(),
-                         BRepPrimAPI_MakeCylinder(slanted, 0.7, 6).Shape());
-}
-
 TEST(FaceArea, OfSimpleShapesIsThatOfTheFormulas) {
   EXPECT_NEAR(sumOfAreas(testing::box(1, 2, 3)), 22, 1e-12);
   EXPECT_NEAR(sumOfAreas(testing::cylinder(2, 3)), 20 * pi, 1e-8);
@@ -57,13 +51,15 @@ TEST(FaceArea, OfSimpleShapesIsThatOfTheFormulas) {
 }
 
 TEST(FaceArea, OfTrimmedFacesIsThatOfOpenCascade) {
-  expectAreasOfOpenCascade(drilledBlock());
-  expectAreasOfOpenCascade(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(2).Shape(), drilledBlock()));
-  expectAreasOfOpenCascade(BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(3, 1).Shape(), drilledBlock()));
+  expectAreasOfOpenCascade(testing::drilledBlock());
+  expectAreasOfOpenCascade(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(2).Shape(), testing::drilledBlock()));
+  expectAreasOfOpenCascade(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(3, 1).Shape(), testing::drilledBlock()));
 }
 
 TEST(FaceArea, OfSplinesIsThatOfOpenCascade) {
-  expectAreasOfOpenCascade(BRepBuilderAPI_NurbsConvert(drilledBlock()).Shape());
+  expectAreasOfOpenCascade(BRepBuilderAPI_NurbsConvert(testing::drilledBlock()).Shape());
   expectAreasOfOpenCascade(
       BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeTorus(3, 1, 1.5).Shape()).Shape());
 }

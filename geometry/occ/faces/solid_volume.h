@@ -8,7 +8,8 @@
 
 namespace af2::geometry {
 
-/// None if a face belongs to no solid, or OpenCASCADE fails.
+/// From the surfaces and boundaries of the faces, to about 1e-5 of their area times the diagonal
+/// of the model. None if a face belongs to no solid, or has no surface or area.
 std::optional<double> volumeOfSolids(const ModelShape& model);
 
 }  // namespace af2::geometry
