@@ -5,17 +5,11 @@
 #include <string>
 
 #include "cli/playground/language.h"
+#include "cli/playground/parameters.h"
 #include "cli/playground/rule_file.h"
 #include "cli/playground/turns.h"
 
 namespace af2::playground {
-
-/// The parameters of a request, by name; empty if it is not given.
-class Parameters {
- public:
-  virtual ~Parameters() = default;
-  virtual std::string operator[](const char* name) const = 0;
-};
 
 class Answers {
  public:

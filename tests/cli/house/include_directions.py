@@ -23,7 +23,7 @@ LIBRARIES = [
     (re.compile(r"CGAL/"), re.compile(r"engine/base/predicates\.cpp|dsl/shapes/exact\.(h|cpp)"), "CGAL"),
     (re.compile(r"cairo"), re.compile(r"dsl/picture/canvas\.cpp|geometry/picture/png_file\.cpp"), "Cairo"),
     (re.compile(r"Eigen/"), re.compile(r"geometry/faceted/sparse_system\.cpp"), "Eigen"),
-    (re.compile(r"httplib"), re.compile(r"cli/playground/server\.cpp"), "cpp-httplib"),
+    (re.compile(r"httplib"), re.compile(r"cli/playground/http/http_module\.cpp"), "cpp-httplib"),
     (CAD_HEADER, re.compile(r"geometry/occ/.*"), "OpenCASCADE"),
     (re.compile(r"(tbb|oneapi)/"), re.compile(r".*\.cpp"), "a TBB type in a header"),
     # read_model.cpp keeps OpenCASCADE from talking, and must name the streams for that.

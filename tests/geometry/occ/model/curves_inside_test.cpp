@@ -8,8 +8,8 @@
 
 #include "engine/base/error.h"
 #include "geometry/mesh/quality.h"
-#include "geometry/occ/model/points_inside.h"
 #include "geometry/occ/faces/solid_volume.h"
+#include "geometry/occ/model/points_inside.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/model_mesh.h"
 
