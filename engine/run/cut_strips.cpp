@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
+#include <mutex>
 #include <numeric>
 #include <ranges>
 #include <span>
@@ -36,19 +38,21 @@ struct Strip {
   std::size_t fixedCount = 0;
   std::vector<std::size_t> elements;  ///< of the whole mesh, by element of the strip
   std::vector<VertexId> vertices;     ///< likewise
-  /// By vertex of the whole mesh: its id in the strip; none: not in the strip.
-  std::vector<VertexId> local;
 };
 
+/// By vertex of the whole mesh: its id in a strip; none: not in the strip.
+using LocalIds = std::vector<VertexId>;
+
+/// local  none for all vertices of the mesh; returned filled
 template <class IsFree>
-Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& isFree) {
+Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& isFree,
+           LocalIds& local) {
   Strip strip;
-  strip.local.resize(mesh.vertices.size());
   for (const std::size_t e : elements)
     for (const VertexId v : mesh.elements[e].vertices()) {
-      VertexId& local = strip.local[v.value];
-      if (!local.isNone()) continue;
-      local = v;  // placeholder: its number is not known yet
+      VertexId& id = local[v.value];
+      if (!id.isNone()) continue;
+      id = v;  // placeholder: its number is not known yet
       strip.vertices.push_back(v);
     }
   std::ranges::sort(strip.vertices);
@@ -56,13 +60,13 @@ Strip take(const Mesh& mesh, std::vector<std::size_t> elements, const IsFree& is
       std::ranges::stable_partition(strip.vertices, [&](VertexId v) { return !isFree(v); });
   strip.fixedCount = strip.vertices.size() - free.size();
   for (std::size_t i = 0; i < strip.vertices.size(); ++i) {
-    strip.local[strip.vertices[i].value] = VertexId(i);
+    local[strip.vertices[i].value] = VertexId(i);
     strip.mesh.vertices.push_back(mesh.vertices[strip.vertices[i].value]);
   }
   for (const std::size_t e : elements) {
     Element element = mesh.elements[e];
     for (VertexId& v : element.corners)
-      if (!v.isNone()) v = strip.local[v.value];
+      if (!v.isNone()) v = local[v.value];
     strip.mesh.elements.push_back(element);
     strip.mesh.origins.push_back(mesh.origins[e]);
   }
@@ -126,18 +130,18 @@ void squeeze(Mesh& mesh, std::size_t fixedCount) {
 
 using Edges = std::vector<std::pair<VertexId, VertexId>>;
 
-/// The edges whose two ends are both in the strip, in the strip's numbering.
-Edges localEdges(const Strip& strip, const Edges& edges) {
-  Edges local;
+/// The edges whose two ends are both in a strip, in the strip's numbering.
+Edges localEdges(const LocalIds& local, const Edges& edges) {
+  Edges inside;
   for (const auto& [from, to] : edges) {
-    const std::pair here(strip.local[from.value], strip.local[to.value]);
-    if (!here.first.isNone() && !here.second.isNone()) local.push_back(here);
+    const std::pair here(local[from.value], local[to.value]);
+    if (!here.first.isNone() && !here.second.isNone()) inside.push_back(here);
   }
-  return local;
+  return inside;
 }
 
 /// The edges at which a strip ends, and the region's boundary edges along it.
-MeshBoundary boundaryOf(const Strip& strip, const Edges& ofRegion) {
+MeshBoundary boundaryOf(const Strip& strip, const LocalIds& local, const Edges& ofRegion) {
   Edges edges, rim;
   for (const Element& element : strip.mesh.elements) {
     const auto corners = element.vertices();
@@ -147,12 +151,48 @@ MeshBoundary boundaryOf(const Strip& strip, const Edges& ofRegion) {
   std::ranges::sort(edges);
   for (const auto& [from, to] : edges)
     if (!std::ranges::binary_search(edges, std::pair(to, from))) rim.emplace_back(from, to);
-  for (const auto& edge : localEdges(strip, ofRegion))
+  for (const auto& edge : localEdges(local, ofRegion))
     if (std::ranges::binary_search(edges, edge)) rim.push_back(edge);
   std::ranges::sort(rim);
   rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
   return {strip.fixedCount, std::move(rim)};
 }
+
+/// What is known of the vertices while a strip is taken. Each strip is small and there are many, so
+/// this is used again: made anew for each, it would take as long as there are strips times
+/// vertices.
+struct Scratch {
+  Rings ring;      ///< kFar for all vertices but those of the strip in work
+  LocalIds local;  ///< likewise none
+};
+
+/// As many as there are threads that take strips.
+class ScratchPool {
+ public:
+  std::unique_ptr<Scratch> take(std::size_t vertices) {
+    std::unique_ptr<Scratch> scratch;
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        scratch = std::move(idle_.back());
+        idle_.pop_back();
+      }
+    }
+    if (!scratch) scratch = std::make_unique<Scratch>();
+    scratch->ring.resize(vertices, kFar);
+    scratch->local.resize(vertices);
+    return scratch;
+  }
+
+  void giveBack(std::unique_ptr<Scratch> scratch) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(scratch));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Scratch>> idle_;
+};
 
 /// All elements along cuts as one mesh, from which the strip along each cut is taken.
 class Strips {
@@ -164,9 +204,13 @@ class Strips {
     std::fill_n(ring.begin() + static_cast<std::ptrdiff_t>(firstCut_), split.cutVertices.size(),
                 std::uint8_t{0});
     spread(mesh, along.elements, ring);
-    all_ = take(mesh, along.elements,
-                [&](VertexId v) { return v.value >= firstCut_ && ring[v.value] < kRings; });
-    boundary_ = localEdges(all_, af2::boundaryOf(input).edges);
+    local_.resize(mesh.vertices.size());
+    all_ = take(
+        mesh, along.elements,
+        [&](VertexId v) { return v.value >= firstCut_ && ring[v.value] < kRings; }, local_);
+    local_.resize(firstCut_ + split.cutVertices.size());  // others are not asked for
+    local_.shrink_to_fit();
+    boundary_ = localEdges(local_, af2::boundaryOf(input).edges);
     for (std::size_t p = 0; p + 1 < along.start.size(); ++p) {
       std::vector<std::size_t>& elements = elementsOf_.emplace_back();
       elements.resize(along.start[p + 1] - along.start[p]);
@@ -192,7 +236,11 @@ class Strips {
     for (const RegionCut& cut : split_.cuts)
       if (cut.depth == depth) cuts.push_back(&cut);
     std::vector<Strip> strips(cuts.size());
-    tools_.forEach(cuts.size(), [&](std::size_t i) { strips[i] = optimizedStrip(*cuts[i]); });
+    tools_.forEach(cuts.size(), [&](std::size_t i) {
+      std::unique_ptr<Scratch> scratch = scratches_.take(all_.mesh.vertices.size());
+      strips[i] = optimizedStrip(*cuts[i], *scratch);
+      scratches_.giveBack(std::move(scratch));
+    });
     for (std::size_t i = 0; i < cuts.size(); ++i) {
       // From now on the pieces of this part are used together only: any of them will do.
       std::ranges::copy(putBack(strips[i], all_.mesh),
@@ -200,9 +248,9 @@ class Strips {
     }
   }
 
-  Strip optimizedStrip(const RegionCut& cut) const {
+  Strip optimizedStrip(const RegionCut& cut, Scratch& scratch) const {
     const std::vector<std::size_t> part = elementsIn(cut.pieces);
-    Rings ring(all_.mesh.vertices.size(), kFar);
+    Rings& ring = scratch.ring;
     for (std::size_t v = cut.own.begin; v < cut.own.end; ++v) ring[localCut(v).value] = 0;
     spread(all_.mesh, part, ring);
     const auto isFree = [&](VertexId v) {
@@ -211,11 +259,15 @@ class Strips {
     std::vector<std::size_t> elements;
     for (const std::size_t e : part)
       if (std::ranges::any_of(all_.mesh.elements[e].vertices(), isFree)) elements.push_back(e);
-    Strip strip = take(all_.mesh, std::move(elements), isFree);
+    Strip strip = take(all_.mesh, std::move(elements), isFree, scratch.local);
+    MeshBoundary boundary = boundaryOf(strip, scratch.local, boundary_);
+    for (const VertexId v : strip.vertices) scratch.local[v.value] = {};
+    for (const std::size_t e : part)
+      for (const VertexId v : all_.mesh.elements[e].vertices()) ring[v.value] = kFar;
+    for (std::size_t v = cut.own.begin; v < cut.own.end; ++v) ring[localCut(v).value] = kFar;
     OptimizeOptions how;
     how.stop = tools_.stop;
-    tools_.finish(strip.mesh, boundaryOf(strip, boundary_), how);
-    strip.local = {};
+    tools_.finish(strip.mesh, boundary, how);
     return strip;
   }
 
@@ -227,7 +279,7 @@ class Strips {
     return elements;
   }
 
-  VertexId localCut(std::size_t cutVertex) const { return all_.local[firstCut_ + cutVertex]; }
+  VertexId localCut(std::size_t cutVertex) const { return local_[firstCut_ + cutVertex]; }
 
   /// Whether a vertex lies on a cut that bounds the part of the region that `cut` divides.
   bool isOnOther(VertexId v, const RegionCut& cut) const {
@@ -243,6 +295,8 @@ class Strips {
   Mesh& mesh_;
   std::size_t firstCut_;  ///< the first vertex of a cut
   Strip all_;
+  LocalIds local_;  ///< in `all_`, of the vertices on the boundary of the region and on cuts
+  ScratchPool scratches_;
   std::vector<std::vector<std::size_t>> elementsOf_;  ///< by piece, some dead; of `all_`
   Edges boundary_;  ///< boundary of the region, in the numbering of `all_`
 };

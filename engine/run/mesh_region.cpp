@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 #include "engine/base/stopwatch.h"
@@ -63,6 +64,7 @@ class PieceJoiner {
     joined_.mesh.vertices.resize(task.input.vertexCount);
     joined_.mesh.vertices.insert(joined_.mesh.vertices.end(), split.cutVertices.begin(),
                                  split.cutVertices.end());
+    onCuts_ = joined_.mesh.vertices.size();
     for (const RegionPiece& piece : split.pieces) expected_ += piece.expectedElements;
   }
 
@@ -89,9 +91,9 @@ class PieceJoiner {
     const std::size_t inner = joined.vertices.size(), given = piece.vertices.size();
     const std::size_t firstElement = joined.elements.size();
     expectedSoFar_ += piece.expectedElements;
-    makeRoom(joined.vertices, mesh.vertices.size() - given);
-    makeRoom(joined.elements, mesh.elements.size());
-    makeRoom(joined.origins, mesh.origins.size());
+    makeRoom(joined.vertices, mesh.vertices.size() - given, onCuts_);
+    makeRoom(joined.elements, mesh.elements.size(), 0);
+    makeRoom(joined.origins, mesh.origins.size(), 0);
     for (std::size_t v = 0; v < given; ++v)
       joined.vertices[piece.vertices[v].value] = mesh.vertices[v];
     joined.vertices.insert(joined.vertices.end(),
@@ -115,14 +117,16 @@ class PieceJoiner {
 
   /// Reserves memory for the pieces to come, estimated from the pieces so far. Growing step by step
   /// would hold the mesh twice each time.
+  ///
+  /// ofNoPiece  how many at the start come from no piece
   template <class T>
-  void makeRoom(std::vector<T>& all, std::size_t more) const {
+  void makeRoom(std::vector<T>& all, std::size_t more, std::size_t ofNoPiece) const {
     constexpr double kMargin = 1.1;
     const std::size_t needed = all.size() + more;
     if (needed <= all.capacity()) return;
     const double share = expectedSoFar_ > 0 ? expected_ / expectedSoFar_ : 1;
-    all.reserve(
-        std::max(needed, static_cast<std::size_t>(kMargin * share * static_cast<double>(needed))));
+    const double ofPieces = kMargin * share * static_cast<double>(needed - ofNoPiece);
+    all.reserve(ofNoPiece + std::max(needed - ofNoPiece, static_cast<std::size_t>(ofPieces)));
   }
 
   const RegionTask& task_;
@@ -132,16 +136,20 @@ class PieceJoiner {
   std::vector<bool> isDone_;
   std::size_t next_ = 0;  ///< the first piece that has not been copied yet
   double expected_ = 0, expectedSoFar_ = 0;
+  std::size_t onCuts_ = 0;  ///< vertices that are there before any piece: boundary and cuts
   std::mutex mutex_;
   MeshingResult joined_;
   AlongCuts alongCuts_{{}, {0}};
 };
 
-/// Runs in the arena of the task.
+/// Runs in the arena of the task. Work begins in order, so that what waits for its predecessors to
+/// be finished, such as pieces that are to be joined, is never much.
 void forEachInArena(const RegionTask& task, std::size_t count,
                     const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
   const auto all = [&] {
-    tbb::parallel_for(std::size_t{0}, count, work, tbb::simple_partitioner());
+    tbb::parallel_for(
+        std::size_t{0}, count, [&](std::size_t) { work(next++); }, tbb::simple_partitioner());
   };
   if (task.threads > 0)
     tbb::task_arena(task.threads).execute(all);

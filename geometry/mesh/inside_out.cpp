@@ -65,10 +65,19 @@ double volumeOf(const ModelMesh& mesh) {
 
 }  // namespace
 
-std::optional<double> enclosedVolume(const ModelMesh& mesh) {
-  return isWhole(mesh) && isTurnedAlike(mesh) ? std::optional(volumeOf(mesh)) : std::nullopt;
+std::optional<double> enclosedVolumeIf(const ModelMesh& mesh,
+                                       const std::function<bool(double)>& matters) {
+  if (!isWhole(mesh)) return std::nullopt;
+  const double volume = volumeOf(mesh);
+  return matters(volume) && isTurnedAlike(mesh) ? std::optional(volume) : std::nullopt;
 }
 
-bool isInsideOut(const ModelMesh& mesh) { return enclosedVolume(mesh).value_or(0) < 0; }
+std::optional<double> enclosedVolume(const ModelMesh& mesh) {
+  return enclosedVolumeIf(mesh, [](double) { return true; });
+}
+
+bool isInsideOut(const ModelMesh& mesh) {
+  return enclosedVolumeIf(mesh, [](double volume) { return volume < 0; }).has_value();
+}
 
 }  // namespace af2::geometry

@@ -197,11 +197,12 @@ void CadFaces::noteVolume(ModelMesh& mesh) const {
   constexpr double kNear = 0.002;
   const double wanted = std::accumulate(areas_.begin(), areas_.end(), 0.0);
   if (std::abs(areaOfElements(mesh) - wanted) <= kNear * wanted) return;
-  const std::optional<double> enclosed = enclosedVolume(mesh);
-  if (!enclosed) return;
-  const std::string note =
-      volumeNote(*enclosed, volumeOfSolids(model_.shape()).value_or(0), "the model");
-  if (!note.empty()) mesh.notes.push_back(note);
+  std::string note;
+  const auto isOff = [&](double enclosed) {
+    note = volumeNote(enclosed, volumeOfSolids(model_.shape()).value_or(0), "the model");
+    return !note.empty();
+  };
+  if (enclosedVolumeIf(mesh, isOff)) mesh.notes.push_back(note);
 }
 
 /// Keeps only faces that lie on another face which is also meshed.

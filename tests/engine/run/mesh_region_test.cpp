@@ -296,6 +296,17 @@ TEST(MeshRegion, FillsPiecesAsSoundlyAsTheWhole) {
   }
 }
 
+/// Room is made from the pieces so far. The vertices on cuts, which are there before any piece, do
+/// not count: they would ask for memory that nothing needs, and that may not be there.
+TEST(MeshRegion, MakesRoomForAboutAsManyVerticesAsThereAre) {
+  const Mesh mesh = meshIn(square(.004), .004, 300, 2).result.mesh;
+  EXPECT_GT(mesh.elements.size(), 100000u);
+  EXPECT_LT(static_cast<double>(mesh.vertices.capacity()),
+            2 * static_cast<double>(mesh.vertices.size()));
+  EXPECT_LT(static_cast<double>(mesh.elements.capacity()),
+            2 * static_cast<double>(mesh.elements.size()));
+}
+
 TEST(MeshRegion, HidesItsCuts) {
   const FrontInput input = square(.01);
   const double pieceElements = areaOf(input) / (.433 * 1e-4) / 7;
