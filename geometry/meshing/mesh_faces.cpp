@@ -262,6 +262,8 @@ class FaceRun final : public RetriedModel {
     source_.complete(state.faults, mesh);
     tellOfMissingLayers(mesh);
     if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
+    if (options_.sizes.size < options_.sizes.minSize)
+      mesh.notes.push_back(raisedSizeNote(options_.sizes));
     MeasuredMesh result{std::move(mesh), {}, {}};
     if (isBounded) result = measured(source_, options_, std::move(result.mesh), std::move(curves));
     if (options_.order == 2) makeSecondOrder(result.mesh, middlesOf(result.mesh, middles));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/place_text.h"
 
 namespace af2::geometry {
 namespace {
@@ -49,6 +50,11 @@ double largestOf(const Sizes& sizes) {
   for (const auto& [face, size] : sizes.faceSizes) largest = std::max(largest, size);
   for (const auto& [edge, size] : sizes.edgeSizes) largest = std::max(largest, size);
   return largest;
+}
+
+std::string raisedSizeNote(const Sizes& sizes) {
+  return "no size is below the smallest one that is allowed, " + textOf(sizes.minSize, 4) +
+         ", although " + textOf(sizes.size, 4) + " was asked for";
 }
 
 double bounded(const Sizes& sizes, double size) {

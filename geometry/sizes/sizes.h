@@ -70,6 +70,9 @@ AF2_EXPORT Sizes withinExtent(Sizes sizes, double extent);
 /// The largest of the sizes for the model, its faces and its edges.
 AF2_EXPORT double largestOf(const Sizes& sizes);
 
+/// The note for a size below the smallest one.
+AF2_EXPORT std::string raisedSizeNote(const Sizes& sizes);
+
 /// `size`, brought between the bounds of all sizes.
 AF2_EXPORT double bounded(const Sizes& sizes, double size);
 

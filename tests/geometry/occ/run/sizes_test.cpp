@@ -129,6 +129,19 @@ TEST(Sizes, StopAtTheSmallestAndTheLargest) {
   EXPECT_THROW(mesh(testing::box(1, 1, 1), sizes), InputError);
 }
 
+TEST(Sizes, BelowTheSmallestAreTold) {
+  Sizes sizes = sizesOf(0.25);
+  const auto isTold = [&] {
+    const ModelMesh made = mesh(testing::box(1, 1, 1), sizes);
+    return std::ranges::any_of(made.notes, [](const std::string& note) {
+      return note.find("allowed, 0.5, although 0.25 was asked for") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(isTold());
+  sizes.minSize = 0.5;
+  EXPECT_TRUE(isTold());
+}
+
 TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
   Sizes sizes = sizesOf(1);
   sizes.sources.points = {{{5, 5, 2}, 0.05}};
