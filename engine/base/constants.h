@@ -8,8 +8,4 @@ namespace af2 {
 /// elements is an area divided by this.
 inline constexpr double kUnitTriangle = 0.4330127018922193;
 
-/// Largest relative difference between the distortions computed for one triangle from two of its
-/// corners: they differ in the last bits.
-inline constexpr double kDistortionRounding = 1e-9;
-
 }  // namespace af2

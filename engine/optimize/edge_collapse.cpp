@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/constants.h"
 #include "engine/mesh/element_shape.h"
 
 namespace af2 {
@@ -53,8 +52,7 @@ class Collapser {
   void look(std::size_t e) {
     const auto corners = topology_.mesh().elements[e].vertices();
     if (topology_.isDead(e) || corners.size() != 3) return;
-    if (distortion(corners[0], corners[1], corners[2]) < (1 - kDistortionRounding) * kBadDistortion)
-      return;
+    if (isPlainlyBelow(kBadDistortion, at(corners[0]), at(corners[1]), at(corners[2]))) return;
     for (VertexId v : corners) mayBeBad_[v.value] = 1;
   }
 

@@ -1,9 +1,9 @@
 #include "engine/optimize/edge_swap.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "engine/base/constants.h"
 #include "engine/mesh/element_shape.h"
 
 namespace af2 {
@@ -26,9 +26,17 @@ class Swapper {
         wantedAtFixed_(wantedAtFixed),
         recorder_(recorder),
         watch_(watch) {
-    const std::size_t elements = goal == SwapGoal::Shape ? topology.mesh().elements.size() : 0;
-    isGood_.resize(elements);
-    for (std::size_t e = 0; e < elements; ++e) look(e);
+    const std::size_t elements = topology.mesh().elements.size();
+    mayChange_.resize(elements);
+    if (goal == SwapGoal::Shape) isGood_.resize(elements);
+    for (std::size_t e = 0; e < elements; ++e) {
+      if (topology.isDead(e)) continue;
+      if (goal == SwapGoal::Shape)
+        look(e);
+      else if (std::ranges::any_of(topology.mesh().elements[e].vertices(),
+                                   [&](VertexId v) { return defect(v, 0) > 0; }))
+        mark(e);
+    }
   }
 
   /// One sweep over all sides in order. Returns the number of swapped sides.
@@ -37,6 +45,7 @@ class Swapper {
     std::size_t swaps = 0;
     for (std::size_t e = 0; e < topology_.mesh().elements.size(); ++e) {
       if (watch_.mustStopAt(e)) break;
+      if (!mayChange_[e]) continue;
       for (std::size_t i = 0; i < 3 && !topology_.isDead(e); ++i) {
         const Corner side(e, i);
         // Each side is visited from one of its two elements only.
@@ -65,6 +74,9 @@ class Swapper {
     if (goal_ == SwapGoal::Shape) {
       look(side.element());
       look(other.element());
+    } else {
+      for (const VertexId v : {a, b, c, d})
+        if (defect(v, 0) > 0) markAround(v);
     }
     return true;
   }
@@ -76,9 +88,34 @@ class Swapper {
 
   /// Records whether a triangle is too good to be swapped.
   void look(std::size_t e) {
-    const auto corners = topology_.mesh().elements[e].vertices();
-    isGood_[e] = !topology_.isDead(e) && corners.size() == 3 &&
-                 distortion(corners[0], corners[1], corners[2]) < (1 - kDistortionRounding) * kBest;
+    const Element& element = topology_.mesh().elements[e];
+    if (element.isQuad()) return;
+    const auto& vertices = topology_.mesh().vertices;
+    const auto& [a, b, c, none] = element.corners;
+    isGood_[e] = isPlainlyBelow(kBest, vertices[a.value], vertices[b.value], vertices[c.value]);
+    if (!isGood_[e]) mark(e);
+  }
+
+  /// The sides of an element are to be looked at, each from either of its two elements.
+  void mark(std::size_t e) {
+    mayChange_[e] = 1;
+    const int size = topology_.mesh().elements[e].size();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i)
+      if (const Corner other = topology_.across({e, i}); !other.isNone())
+        mayChange_[other.element()] = 1;
+  }
+
+  void markAround(VertexId v) {
+    const Corner first = topology_.cornerOf(v);
+    Corner c = first;
+    int count = 0;
+    do {
+      mark(c.element());
+      ++count;
+      c = topology_.aroundVertex(c);
+    } while (!c.isNone() && c != first);
+    // Where the boundary touches itself there are more elements than those around this corner.
+    if (count < topology_.valence(v)) std::ranges::fill(mayChange_, std::uint8_t{1});
   }
 
   int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }
@@ -116,6 +153,9 @@ class Swapper {
   const std::vector<std::uint8_t>& wantedAtFixed_;
   ActRecorder* recorder_;
   const WorkWatch& watch_;
+  /// By element: whether some side of it can be worth swapping. Most elements of a mesh are good
+  /// and surrounded by regular vertices, so that only few sides have to be looked at.
+  std::vector<std::uint8_t> mayChange_;
   std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
 

@@ -28,7 +28,10 @@ bool isPoor(const Mesh& mesh, const Element& element) {
   const auto at = [&](std::size_t i) -> const Point3& {
     return mesh.vertices[element.corners[i].value].position;
   };
-  if (element.size() == 3) return cornerDistortion(at(0), at(1), at(2), true) > kPoorDistortion;
+  if (element.size() == 3)
+    return !isPlainlyBelow(kPoorDistortion, at(0), at(1), at(2),
+                           cross(at(1) - at(0), at(2) - at(0))) &&
+           cornerDistortion(at(0), at(1), at(2), true) > kPoorDistortion;
   for (std::size_t i = 0; i < 4; ++i)
     if (cornerDistortion(at(i), at((i + 1) % 4), at((i + 3) % 4), false) > kPoorDistortion)
       return true;
