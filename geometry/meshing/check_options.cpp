@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "engine/base/error.h"
@@ -15,8 +17,14 @@
 namespace af2::geometry {
 
 MemoryLimit memoryLimitOf(const MeshingOptions& options) {
-  return {options.maxMemory, options.spool.when == SpoolRequest::When::Always,
-          threadCount(options.threads)};
+  MemoryLimit limit{options.maxMemory, options.spool.when == SpoolRequest::When::Always,
+                    threadCount(options.threads)};
+  if (!limit.isSpooled) return limit;
+  const std::filesystem::path& folder = options.spool.folder;
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder.empty() ? "." : folder, unknown);
+  if (!unknown) limit.onDisk = static_cast<double>(space.available);
+  return limit;
 }
 
 std::string whyNotSpooled(const MeshingOptions& options) {

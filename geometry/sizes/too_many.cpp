@@ -20,6 +20,8 @@ namespace {
 constexpr double kBytesPerElement = 100;
 /// What is left of a face on disk: its boundary, and boxes for the checks.
 constexpr double kBytesPerSpooledElement = 4;
+/// On disk while the faces are there, at least: docs/performance.md.
+constexpr double kLeastOnDisk = 50;
 
 double bytesFor(const std::vector<double>& elements, const MemoryLimit& limit) {
   const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
@@ -45,6 +47,15 @@ double factorFor(double tooMany) { return std::ceil(10 * std::sqrt(tooMany)) / 1
       factor, fitSpooled);
 }
 
+void refuseOnDisk(const std::string& needs, double elements, const MemoryLimit& limit) {
+  const double bytes = kLeastOnDisk * elements;
+  if (!limit.isSpooled || bytes <= limit.onDisk) return;
+  refuse(needs + ", whose faces take at least " + gigabytes(bytes) +
+             " of the disk that the mesh is written to, but " + gigabytes(limit.onDisk) +
+             " are free there; write to a larger disk, or ",
+         bytes / limit.onDisk, false);
+}
+
 }  // namespace
 
 void refuseTooMany(const std::vector<double>& byFace, const MemoryLimit& limit) {
@@ -57,9 +68,10 @@ void refuseTooMany(const std::vector<double>& byFace, const MemoryLimit& limit) 
     refuse(needs + ", but a mesh can have " + textOf(kMaxElements, 2) + "; ",
            elements / kMaxElements, false);
   const double bytes = bytesFor(byFace, limit);
-  if (limit.bytes == 0 && bytes < 1e8) return;  // any machine has so much
+  if (limit.bytes == 0 && bytes < 1e8)  // any machine has so much
+    return refuseOnDisk(needs, elements, limit);
   const double most = limit.bytes > 0 ? limit.bytes : freeMemory();
-  if (bytes <= most) return;
+  if (bytes <= most) return refuseOnDisk(needs, elements, limit);
   MemoryLimit onDisk = limit;
   onDisk.isSpooled = true;
   refuse(needs + ", which take about " + gigabytes(bytes) + " of memory" +

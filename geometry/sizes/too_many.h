@@ -1,6 +1,7 @@
 // Refuses sizes that give too many elements, or elements too small for the coordinates.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,14 @@ class TooManyElements : public InputError {
 
 /// The memory that a mesh may take.
 struct MemoryLimit {
-  double bytes = 0;        ///< 0: what is free
-  bool isSpooled = false;  ///< finished faces are put on disk
-  int threads = 1;         ///< so many faces are in work at once
+  double bytes = 0;                                         ///< 0: what is free
+  bool isSpooled = false;                                   ///< finished faces are put on disk
+  int threads = 1;                                          ///< so many faces are in work at once
+  double onDisk = std::numeric_limits<double>::infinity();  ///< bytes that are free there
 };
 
 /// Throws TooManyElements if a mesh would have more elements than can be numbered, or than fit into
-/// memory.
+/// memory or, finished faces, on the disk.
 ///
 /// elements  approximate numbers, by face
 void refuseTooMany(const std::vector<double>& elements, const MemoryLimit& limit);

@@ -43,6 +43,23 @@ TEST(TooMany, CountsOnlyTheLargestFacesIfTheOthersAreOnDisk) {
   EXPECT_THROW(refuseTooMany(elements, {7.5e9, false, 2}), TooManyElements);
 }
 
+TEST(TooMany, IsWhatDoesNotFitOnTheDisk) {
+  const auto onDisk = [](double bytes, bool isSpooled) {
+    try {
+      refuseTooMany({2e7, 2e7}, {1e10, isSpooled, 1, bytes});
+    } catch (const TooManyElements& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(onDisk(2.1e9, true), "");
+  EXPECT_EQ(onDisk(5e8, true),
+            "the sizes need about 4e+07 elements, whose faces take at least 2 GB of the disk that "
+            "the mesh is written to, but 0.5 GB are free there; write to a larger disk, or ask for "
+            "sizes that are at least 2 times as large");
+  EXPECT_EQ(onDisk(5e8, false), "");
+}
+
 TEST(TooMany, TellsIfItFitsWithFacesOnDisk) {
   const auto fitSpooled = [](const std::vector<double>& elements, const MemoryLimit& limit) {
     try {
