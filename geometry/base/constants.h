@@ -20,4 +20,7 @@ inline constexpr double kUselessAngle = 0.7;
 /// elements there are ten times smaller than requested, or ten times longer than wide.
 inline constexpr double kTinyShare = 0.1;
 
+/// A factor for lengths that are equal but for the rounding of some operations.
+inline constexpr double kMoreThanRounding = 1 + 1e-9;
+
 }  // namespace af2::geometry

@@ -8,6 +8,7 @@
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
+#include "geometry/base/constants.h"
 #include "geometry/fill/crossed_boundary.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/first_diagonals.h"
@@ -126,7 +127,6 @@ FilledFace fill(const FaceTask& task, FaceMesh& mesh) {
 IsLeast isLeastFor(const FaceFilling& filling) {
   if (!filling.least) return {};
   return [&](const SurfacePoint& point) {
-    constexpr double kMoreThanRounding = 1 + 1e-9;
     const double least = filling.least(point);
     return least > 0 && filling.wanted.sizeAt(point) <= kMoreThanRounding * least;
   };

@@ -7,14 +7,13 @@
 #include <span>
 #include <utility>
 
+#include "geometry/base/constants.h"
 #include "geometry/retry/retry_limits.h"
 #include "geometry/sizes/growing_size.h"
 
 namespace af2::geometry {
 
 namespace {
-
-constexpr double kMoreThanRounding = 1 + 1e-9;
 
 /// Places of which each requests a clearly smaller size than those before it do there. The last
 /// ones are compared one by one, all others are in trees; like the digits of a number, trees of

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/base/constants.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -25,7 +27,6 @@ std::size_t treeSize(std::size_t count) {
 
 /// Most sources of a leaf are too far away, which the squares of the distances tell.
 void lowerTo(const SizeSource& s, double growth, const Point3& position, double& least) {
-  constexpr double kMoreThanRounding = 1 + 1e-9;
   const double left = least - s.size;
   if (!(left > 0)) return;
   const Point3 way = position - s.position;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kBytesPerElement = 100;
 /// What is left of a face on disk: its boundary, and boxes for the checks.
 constexpr double kBytesPerSpooledElement = 4;
-/// On disk while the faces are there, at least: docs/performance.md.
+/// On disk while the faces are there, at least: docs/geometry.md, "Meshes on disk".
 constexpr double kLeastOnDisk = 50;
 
 double bytesFor(const std::vector<double>& elements, const MemoryLimit& limit) {
@@ -53,7 +53,7 @@ void refuseOnDisk(const std::string& needs, double elements, const MemoryLimit& 
   refuse(needs + ", whose faces take at least " + gigabytes(bytes) +
              " of the disk that the mesh is written to, but " + gigabytes(limit.onDisk) +
              " are free there; write to a larger disk, or ",
-         bytes / limit.onDisk, false);
+         bytes / std::max(limit.onDisk, 1.0), false);
 }
 
 }  // namespace
