@@ -74,9 +74,6 @@ class Swapper {
     if (goal_ == SwapGoal::Shape) {
       look(side.element());
       look(other.element());
-    } else {
-      for (const VertexId v : {a, b, c, d})
-        if (defect(v, 0) > 0) markAround(v);
     }
     return true;
   }
@@ -103,19 +100,6 @@ class Swapper {
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i)
       if (const Corner other = topology_.across({e, i}); !other.isNone())
         mayChange_[other.element()] = 1;
-  }
-
-  void markAround(VertexId v) {
-    const Corner first = topology_.cornerOf(v);
-    Corner c = first;
-    int count = 0;
-    do {
-      mark(c.element());
-      ++count;
-      c = topology_.aroundVertex(c);
-    } while (!c.isNone() && c != first);
-    // Where the boundary touches itself there are more elements than those around this corner.
-    if (count < topology_.valence(v)) std::ranges::fill(mayChange_, std::uint8_t{1});
   }
 
   int fewest(VertexId v) const { return topology_.isFixed(v) ? 1 : 3; }
@@ -154,7 +138,9 @@ class Swapper {
   ActRecorder* recorder_;
   const WorkWatch& watch_;
   /// By element: whether some side of it can be worth swapping. Most elements of a mesh are good
-  /// and surrounded by regular vertices, so that only few sides have to be looked at.
+  /// and surrounded by regular vertices, so that only few sides have to be looked at. A swap pays
+  /// only where several vertices are irregular; where swaps alone have made all of them so, the
+  /// next round sees it.
   std::vector<std::uint8_t> mayChange_;
   std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
