@@ -1,5 +1,5 @@
-// HTTP on the loopback interface, as a library that is loaded when the playground starts: the
-// libraries for it would double the time in which the program itself starts.
+// HTTP on the loopback interface, as a library that is loaded when the playground starts, so that
+// other runs of the program need not link the libraries for it.
 #pragma once
 
 #include <memory>

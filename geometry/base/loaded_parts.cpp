@@ -94,4 +94,9 @@ void* entryOfPart(const std::string& library, const char* entry, const char* nee
   return ::dlsym(loaded, entry);
 }
 
+void refusePart(const std::string& library) {
+  throw InputError(placeOfPart(library).string() +
+                   " belongs to another version of this program; build or install both together");
+}
+
 }  // namespace af2::geometry

@@ -18,4 +18,21 @@ std::filesystem::path placeOfPart(const std::string& library);
 /// such function.
 void* entryOfPart(const std::string& library, const char* entry, const char* needed = "");
 
+/// For a library that has been compiled from other sources than its caller.
+[[noreturn]] void refusePart(const std::string& library);
+
+/// What a library offers: the result of its function `const Module* ()`.
+///
+/// isSame  whether a module was compiled from the same sources as the caller, as far as can be told
+///
+/// Throws InputError as entryOfPart, and if it was not.
+template <class Module, class IsSame>
+const Module& moduleOfPart(const std::string& library, const char* entry, const IsSame& isSame,
+                           const char* needed = "") {
+  void* const found = entryOfPart(library, entry, needed);
+  const Module* const module = found ? reinterpret_cast<const Module* (*)()>(found)() : nullptr;
+  if (!module || !isSame(*module)) refusePart(library);
+  return *module;
+}
+
 }  // namespace af2::geometry

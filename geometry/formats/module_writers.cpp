@@ -11,13 +11,10 @@ namespace af2::geometry {
 namespace {
 
 const WriterModule& loadedWriter(const char* library) {
-  void* const entry = entryOfPart(library, kWriterModuleEntry);
-  const WriterModule* const found =
-      entry ? reinterpret_cast<const WriterModule* (*)()>(entry)() : nullptr;
-  if (!found || std::strcmp(found->version, AF2_VERSION) != 0 || found->meshSize != kWriterMeshSize)
-    throw InputError(placeOfPart(library).string() +
-                     " belongs to another version of this program; build or install both together");
-  return *found;
+  const auto isSame = [](const WriterModule& module) {
+    return std::strcmp(module.version, AF2_VERSION) == 0 && module.meshSize == kWriterMeshSize;
+  };
+  return moduleOfPart<WriterModule>(library, kWriterModuleEntry, isSame);
 }
 
 void writeByModule(const char* library, const ModelMesh& mesh, const Extras& extras,

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <string>
 
-#include "engine/base/error.h"
 #include "geometry/base/loaded_parts.h"
 #include "geometry/occ/loading/reader_module.h"
 #include "geometry/occ/read/readers.h"
@@ -15,14 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 const ReaderModule& load(const std::string& library, const char* needed) {
-  void* const entry = entryOfPart(library, kReaderModuleEntry, needed);
-  const ReaderModule* const found =
-      entry ? reinterpret_cast<const ReaderModule* (*)()>(entry)() : nullptr;
-  if (!found || std::strcmp(found->version, AF2_VERSION) != 0 ||
-      found->shapeSize != sizeof(ReadShape))
-    throw InputError(placeOfPart(library).string() +
-                     " belongs to another version of this program; build or install both together");
-  return *found;
+  const auto isSame = [](const ReaderModule& module) {
+    return std::strcmp(module.version, AF2_VERSION) == 0 && module.shapeSize == sizeof(ReadShape);
+  };
+  return moduleOfPart<ReaderModule>(library, kReaderModuleEntry, isSame, needed);
 }
 
 }  // namespace
