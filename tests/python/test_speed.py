@@ -1,6 +1,7 @@
 """The package is as fast as the program: within 5 percent for the same request, reading, meshing and measuring.
 
-Processor time of one thread is compared, which other programs on the machine hardly change."""
+Processor time of one thread is compared. What else the machine does changes it by a tenth and more from second to
+second, so both take turns, nothing else of the tests runs beside them, and the least of each is compared."""
 
 import resource
 import time
@@ -9,7 +10,7 @@ import unittest
 import af2
 from support import MODELS, Case
 
-REPETITIONS = 4
+REPETITIONS = 10
 
 
 class Speed(Case):
@@ -27,8 +28,8 @@ class Speed(Case):
 
     def test_is_that_of_the_program(self):
         self.package_seconds()  # loads what is loaded once
-        program = min(self.program_seconds() for _ in range(REPETITIONS))
-        package = min(self.package_seconds() for _ in range(REPETITIONS))
+        turns = [(self.program_seconds(), self.package_seconds()) for _ in range(REPETITIONS)]
+        program, package = (min(seconds) for seconds in zip(*turns))
         print(f"program {program:.3f} s, package {package:.3f} s")
         self.assertLess(package, 1.05 * program)
 
