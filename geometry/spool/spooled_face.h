@@ -68,7 +68,9 @@ class SpooledFace final : public StoredFace {
 
  private:
   std::shared_ptr<SpoolFile> file_;
-  std::size_t sizes_;
+  std::size_t elementBytes_, sizes_;
+  double size_;  ///< of all vertices inside, if none is in the file
+  std::size_t sizesInFile_, originBytes_;
   SpoolFile::Place place_;
 };
 
