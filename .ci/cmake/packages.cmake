@@ -85,8 +85,11 @@ if(formats IN_LIST CPACK_COMPONENTS_ALL)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS af2-formats)
 endif()
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_PROVIDES "libaf2 (= ${PROJECT_VERSION}-1)")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
-# Dependencies are those of the libraries that the files are linked with (dpkg-shlibdeps).
+# Dependencies are those of the libraries that the files are linked with (dpkg-shlibdeps), and Cairo, which is loaded
+# for pictures.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libcairo2)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libcairo2)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, libcairo2")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")

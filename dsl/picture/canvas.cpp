@@ -8,9 +8,52 @@
 
 #include "dsl/picture/canvas_view.h"
 #include "engine/base/error.h"
+#include "engine/base/loaded_function.h"
 
 namespace af2::dsl::picture {
 namespace {
+
+constexpr LoadedLibrary kCairo{"libcairo.so.2", "pictures", "libcairo2"};
+AF2_LOADED_FUNCTION(kCairo, cairo_arc);
+AF2_LOADED_FUNCTION(kCairo, cairo_clip);
+AF2_LOADED_FUNCTION(kCairo, cairo_close_path);
+AF2_LOADED_FUNCTION(kCairo, cairo_create);
+AF2_LOADED_FUNCTION(kCairo, cairo_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_fill);
+AF2_LOADED_FUNCTION(kCairo, cairo_fill_preserve);
+AF2_LOADED_FUNCTION(kCairo, cairo_image_surface_create);
+AF2_LOADED_FUNCTION(kCairo, cairo_line_to);
+AF2_LOADED_FUNCTION(kCairo, cairo_move_to);
+AF2_LOADED_FUNCTION(kCairo, cairo_new_path);
+AF2_LOADED_FUNCTION(kCairo, cairo_paint);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_add_color_stop_rgba);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_create_linear);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_rectangle);
+AF2_LOADED_FUNCTION(kCairo, cairo_restore);
+AF2_LOADED_FUNCTION(kCairo, cairo_save);
+AF2_LOADED_FUNCTION(kCairo, cairo_scale);
+AF2_LOADED_FUNCTION(kCairo, cairo_select_font_face);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_dash);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_font_size);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_line_cap);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_line_join);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_line_width);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_source);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_source_rgb);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_source_rgba);
+AF2_LOADED_FUNCTION(kCairo, cairo_show_text);
+AF2_LOADED_FUNCTION(kCairo, cairo_status);
+AF2_LOADED_FUNCTION(kCairo, cairo_status_to_string);
+AF2_LOADED_FUNCTION(kCairo, cairo_stroke);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_finish);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_status);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_write_to_png_stream);
+AF2_LOADED_FUNCTION(kCairo, cairo_svg_surface_create_for_stream);
+AF2_LOADED_FUNCTION(kCairo, cairo_svg_surface_set_document_unit);
+AF2_LOADED_FUNCTION(kCairo, cairo_text_extents);
+AF2_LOADED_FUNCTION(kCairo, cairo_text_path);
 
 constexpr double kPngScale = 2;  // pixels of the file per pixel of the picture
 const char* const kFont = "DejaVu Sans";

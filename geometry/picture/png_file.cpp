@@ -8,9 +8,37 @@
 #include <memory>
 
 #include "engine/base/error.h"
+#include "engine/base/loaded_function.h"
 
 namespace af2::geometry {
 namespace {
+
+constexpr LoadedLibrary kCairo{"libcairo.so.2", "pictures", "libcairo2"};
+AF2_LOADED_FUNCTION(kCairo, cairo_create);
+AF2_LOADED_FUNCTION(kCairo, cairo_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_fill);
+AF2_LOADED_FUNCTION(kCairo, cairo_image_surface_create);
+AF2_LOADED_FUNCTION(kCairo, cairo_image_surface_get_data);
+AF2_LOADED_FUNCTION(kCairo, cairo_image_surface_get_stride);
+AF2_LOADED_FUNCTION(kCairo, cairo_move_to);
+AF2_LOADED_FUNCTION(kCairo, cairo_paint);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_add_color_stop_rgb);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_create_linear);
+AF2_LOADED_FUNCTION(kCairo, cairo_pattern_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_rectangle);
+AF2_LOADED_FUNCTION(kCairo, cairo_select_font_face);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_font_size);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_source);
+AF2_LOADED_FUNCTION(kCairo, cairo_set_source_rgb);
+AF2_LOADED_FUNCTION(kCairo, cairo_show_text);
+AF2_LOADED_FUNCTION(kCairo, cairo_status);
+AF2_LOADED_FUNCTION(kCairo, cairo_status_to_string);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_destroy);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_flush);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_mark_dirty);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_status);
+AF2_LOADED_FUNCTION(kCairo, cairo_surface_write_to_png_stream);
+AF2_LOADED_FUNCTION(kCairo, cairo_text_extents);
 
 constexpr int kLegendHeight = 52;
 constexpr double kLegendMargin = 24, kBarWidth = 220, kBarHeight = 14, kFontSize = 15;

@@ -21,7 +21,7 @@ constexpr double kBytesPerElement = 100;
 /// What is left of a face on disk: its boundary, and boxes for the checks.
 constexpr double kBytesPerSpooledElement = 4;
 /// On disk while the faces are there, at least: docs/geometry.md, "Meshes on disk".
-constexpr double kLeastOnDisk = 30;
+constexpr double kLeastOnDisk = 35;
 
 double bytesFor(const std::vector<double>& elements, const MemoryLimit& limit) {
   const double all = std::accumulate(elements.begin(), elements.end(), 0.0);

@@ -26,7 +26,7 @@ needs() {
   for name; do [[ ", $depends" == *", $name"* ]] || fail "$package does not depend on $name: $depends"; done
 }
 
-holds af2 bin/af2 lib/.*/?af2-step.so lib/.*/?af2-iges.so share/af2/rules/tri/even.af2 share/man/man1/af2.1.gz \
+holds af2 bin/af2 lib/.*/?af2-step.so lib/.*/?af2-iges.so lib/.*/?af2-algorithms.so share/af2/rules/tri/even.af2 share/man/man1/af2.1.gz \
   share/man/man1/af2-mesh.1.gz share/man/man1/af2-draw.1.gz share/bash-completion/completions/af2 share/zsh/vendor-completions/_af2 \
   share/fish/vendor_completions.d/af2.fish share/doc/af2/copyright share/doc/af2/changelog
 ! grep -qE '\.h$|\.a$|\.pc$' files || fail "af2 has files of libaf2-dev"
@@ -43,7 +43,7 @@ fi
 
 if ls python3-af2_*.deb >/dev/null 2>&1; then
   holds python3-af2 lib/python3/dist-packages/af2/__init__.py 'lib/python3/dist-packages/af2/_af2.*\.so'
-  needs python3-af2 python3 libc6
+  needs python3-af2 python3 libc6 libcairo2
 fi
 
 if ls af2-formats_*.deb >/dev/null 2>&1; then needs af2-formats af2; fi

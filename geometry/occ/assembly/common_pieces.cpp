@@ -27,7 +27,7 @@ class Comparison {
  public:
   Comparison(const ModelShape& model, const ModelPart& one, const ModelPart& other,
              const FuseOptions& options)
-      : model_(model), parts_{&one, &other}, fuse_({one.shape, other.shape}, options) {
+      : model_(model), parts_{&one, &other}, fuse_(fuseShapes({one.shape, other.shape}, options)) {
     for (std::size_t i : {0u, 1u}) pieces_[i] = piecesOf(*parts_[i]);
     findShared();
   }
@@ -48,10 +48,10 @@ class Comparison {
     Pieces pieces;
     std::vector<TopoDS_Shape> shapes;
     if (part.isSolid) {
-      for (const TopoDS_Shape& solid : fuse_.piecesOf(part.shape)) shapes.push_back(solid);
+      for (const TopoDS_Shape& solid : fuse_->piecesOf(part.shape)) shapes.push_back(solid);
     } else {
       for (const int face : part.faces)
-        for (const TopoDS_Shape& piece : fuse_.piecesOf(model_.faces(face)))
+        for (const TopoDS_Shape& piece : fuse_->piecesOf(model_.faces(face)))
           shapes.push_back(piece);
     }
     if (shapes.empty()) throw GeometryError("a part vanished");
@@ -75,7 +75,7 @@ class Comparison {
         TopExp::MapShapes(parts_[i]->shape, type, inner[i]);
     for (int k = 1; k <= inner[0].Extent(); ++k)
       if (inner[1].Contains(inner[0](k)))
-        for (const TopoDS_Shape& piece : fuse_.piecesOf(inner[0](k))) shared_.Add(piece);
+        for (const TopoDS_Shape& piece : fuse_->piecesOf(inner[0](k))) shared_.Add(piece);
   }
 
   /// Pieces of both parts that they do not share already.
@@ -124,10 +124,10 @@ class Comparison {
     TopTools_IndexedMapOfShape whole;
     std::map<int, int> faceOf;  // by index of its only piece
     for (const int face : parts_[1]->faces)
-      if (const auto pieces = fuse_.piecesOf(model_.faces(face)); pieces.size() == 1)
+      if (const auto pieces = fuse_->piecesOf(model_.faces(face)); pieces.size() == 1)
         faceOf[whole.Add(pieces.front())] = face;
     for (const int face : parts_[0]->faces) {
-      const auto pieces = fuse_.piecesOf(model_.faces(face));
+      const auto pieces = fuse_->piecesOf(model_.faces(face));
       if (pieces.size() != 1) continue;
       const int index = whole.FindIndex(pieces.front());
       if (index > 0 && faceOf[index] != face) contact.twins.emplace_back(face, faceOf[index]);
@@ -156,7 +156,7 @@ class Comparison {
 
   const ModelShape& model_;
   const ModelPart* parts_[2];
-  GeneralFuse fuse_;
+  std::unique_ptr<GeneralFuse> fuse_;
   Pieces pieces_[2];
   TopTools_IndexedMapOfShape shared_, around_;
 };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/mesh/contact.h"
-#include "geometry/occ/assembly/general_fuse.h"
+#include "geometry/occ/algorithms/general_fuse.h"
 #include "geometry/occ/assembly/model_parts.h"
 
 namespace af2::geometry {

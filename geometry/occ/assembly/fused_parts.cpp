@@ -1,11 +1,8 @@
 #include "geometry/occ/assembly/fused_parts.h"
 
-#include <BOPAlgo_BuilderSolid.hxx>
-#include <BOPTools_AlgoTools.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <IntTools_Context.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
@@ -81,19 +78,6 @@ VolumeChange volumeChange(const std::vector<TopoDS_Shape>& before,
   return change.isWithin(0) ? change : changeBy(exactVolumeOf);
 }
 
-/// Solids bounded by these faces, in the orientations that they have here.
-std::vector<TopoDS_Shape> solidsBetween(const std::vector<TopoDS_Shape>& faces) {
-  TopTools_ListOfShape list;
-  for (const TopoDS_Shape& face : faces) list.Append(face);
-  BOPAlgo_BuilderSolid builder;
-  builder.SetShapes(list);
-  builder.SetAvoidInternalShapes(true);
-  builder.Perform();
-  if (builder.HasErrors() || builder.Areas().IsEmpty())
-    throw GeometryError("the pieces of a solid could not be joined");
-  return {builder.Areas().begin(), builder.Areas().end()};
-}
-
 /// Without faces that lie inside it: these belong to sheets, and bound nothing.
 std::vector<TopoDS_Shape> withoutFacesInside(const TopoDS_Shape& solid) {
   std::vector<TopoDS_Shape> faces;
@@ -114,11 +98,11 @@ class PartFuser {
         parts_(parts),
         overlaps_(overlaps),
         tolerance_(options.tolerance),
-        fuse_(shapesOf(parts), options) {}
+        fuse_(fuseShapes(shapesOf(parts), options)) {}
 
   FusedParts fuse() {
     for (int face = 1; face <= model_.faces.Extent(); ++face)
-      fused_.facePieces.push_back(fuse_.piecesOf(model_.faces(face)));
+      fused_.facePieces.push_back(fuse_->piecesOf(model_.faces(face)));
     for (std::size_t part = 0; part < parts_.size(); ++part) takePieces(part);
     if (overlaps_ == Overlaps::Refuse) refuseOverlaps();
     for (std::size_t piece = 0; piece < owners_.size(); ++piece) assign(piece);
@@ -139,7 +123,7 @@ class PartFuser {
   void takePieces(std::size_t part) {
     fused_.parts.push_back({parts_[part].name, parts_[part].isSolid, {}});
     if (!parts_[part].isSolid) return takeSheet(part);
-    const std::vector<TopoDS_Shape> pieces = fuse_.piecesOf(parts_[part].shape);
+    const std::vector<TopoDS_Shape> pieces = fuse_->piecesOf(parts_[part].shape);
     checkPieces(parts_[part], pieces);
     for (const TopoDS_Shape& piece : pieces) {
       const auto index = static_cast<std::size_t>(solids_.Add(piece));
@@ -151,8 +135,7 @@ class PartFuser {
   /// The pieces of a sheet keep its orientation. Where pieces of several faces became one, it may
   /// be that of another face.
   static TopoDS_Shape turnedLike(const TopoDS_Shape& face, const TopoDS_Shape& piece) {
-    const bool isTurned = BOPTools_AlgoTools::IsSplitToReverse(piece, face, new IntTools_Context);
-    return isTurned ? piece.Reversed() : piece;
+    return isTurned(piece, face) ? piece.Reversed() : piece;
   }
 
   void takeSheet(std::size_t part) {
@@ -318,7 +301,7 @@ class PartFuser {
   const std::vector<ModelPart>& parts_;
   Overlaps overlaps_;
   double tolerance_;
-  GeneralFuse fuse_;
+  std::unique_ptr<GeneralFuse> fuse_;
   FusedParts fused_;
   TopTools_IndexedMapOfShape solids_;             // pieces of all solids
   std::vector<std::vector<std::size_t>> owners_;  // of each piece: parts, ascending

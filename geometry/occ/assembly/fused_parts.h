@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/occ/assembly/general_fuse.h"
+#include "geometry/occ/algorithms/general_fuse.h"
 #include "geometry/occ/assembly/imprint.h"
 #include "geometry/occ/assembly/model_parts.h"
 

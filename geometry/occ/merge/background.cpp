@@ -1,7 +1,6 @@
 #include "geometry/occ/merge/background.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -13,6 +12,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 
+#include "geometry/occ/algorithms/triangulation.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {
@@ -44,7 +44,7 @@ class Background {
     for (const int face : faces) builder.Add(compound, model_.face(face));
     constexpr bool kCopiesGeometry = false, kCopiesMesh = false;
     copy_ = BRepBuilderAPI_Copy(compound, kCopiesGeometry, kCopiesMesh);
-    BRepMesh_IncrementalMesh(copy_.Shape(), deflection, false, kTurn, false);
+    geometry::triangulate(copy_.Shape(), deflection, kTurn);
   }
 
  private:

@@ -1,6 +1,5 @@
 #include "geometry/occ/step/external_parts.h"
 
-#include <STEPCAFControl_ExternFile.hxx>
 #include <STEPConstruct_ExternRefs.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -25,25 +24,25 @@ bool hasFaces(const Handle(XSControl_WorkSession) & session,
 
 }  // namespace
 
-ExternalParts externalPartsOf(STEPCAFControl_Reader& reader) {
+ExternalParts externalPartsOf(const Handle(XSControl_WorkSession) & session,
+                              const StepDocument& document) {
   ExternalParts parts;
   std::set<std::string> reported;
-  const auto lookAt = [&](const Handle(XSControl_WorkSession) & session) {
-    STEPConstruct_ExternRefs references(session);
+  const auto lookAt = [&](const Handle(XSControl_WorkSession) & from) {
+    STEPConstruct_ExternRefs references(from);
     if (!references.LoadExternRefs()) return;
     for (int i = 1; i <= references.NbExternRefs(); ++i) {
-      const std::string name = references.FileName(i);
-      Handle(STEPCAFControl_ExternFile) file;
-      const bool isRead = !name.empty() && reader.ExternFile(name.c_str(), file) &&
-                          !file.IsNull() && file->GetLoadStatus() == IFSelect_RetDone &&
-                          file->GetTransferStatus();
-      if (!isRead && hasFaces(session, references.ProdDef(i))) continue;
+      const char* const text = references.FileName(i);
+      const std::string name = text ? text : "";
+      const Handle(XSControl_WorkSession) file = document.fileOf(name);
+      const bool isRead = !file.IsNull();
+      if (!isRead && hasFaces(from, references.ProdDef(i))) continue;
       if (!reported.insert(name).second) continue;
       (isRead ? parts.read : parts.missing).push_back(name);
-      if (isRead) parts.sessions.push_back(file->GetWS());
+      if (isRead) parts.sessions.push_back(file);
     }
   };
-  lookAt(reader.ChangeReader().WS());
+  lookAt(session);
   // Grows as it goes on: parts may be assemblies again.
   for (std::size_t i = 0; i < parts.sessions.size(); ++i)
     lookAt(Handle(XSControl_WorkSession)(parts.sessions[i]));

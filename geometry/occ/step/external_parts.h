@@ -2,9 +2,10 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
-#include <STEPCAFControl_Reader.hxx>
 #include <string>
 #include <vector>
+
+#include "geometry/occ/step/step_document.h"
 
 namespace af2::geometry {
 
@@ -16,7 +17,8 @@ struct ExternalParts {
   std::vector<std::string> missing;
 };
 
-/// Call this after the transfer to a document, which reads these files.
-ExternalParts externalPartsOf(STEPCAFControl_Reader& reader);
+/// session  of the file that the document was made of
+ExternalParts externalPartsOf(const Handle(XSControl_WorkSession) & session,
+                              const StepDocument& document);
 
 }  // namespace af2::geometry

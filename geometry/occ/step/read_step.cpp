@@ -1,18 +1,11 @@
-#include <BRep_Builder.hxx>
-#include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
@@ -29,6 +22,7 @@
 #include "geometry/occ/step/damaged_entities.h"
 #include "geometry/occ/step/external_parts.h"
 #include "geometry/occ/step/lost_step_faces.h"
+#include "geometry/occ/step/step_document.h"
 #include "geometry/occ/step/step_groups.h"
 #include "geometry/occ/step/step_omissions.h"
 
@@ -100,47 +94,33 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// All parts in their places, also those from other files, which only the document has.
-TopoDS_Shape joinedParts(const Handle(TDocStd_Document) & document, const ExternalParts& parts,
-                         const std::filesystem::path& path, std::vector<std::string>& notes) {
+/// Says which other files were read, or that some cannot be.
+void tell(const ExternalParts& parts, const std::filesystem::path& path,
+          std::vector<std::string>& notes) {
   if (!parts.missing.empty())
     throw InputError(
         path.string() + ": parts of this assembly are in other files, of which " +
         listed(parts.missing) +
         " cannot be read; put these into the same folder, or export the assembly to one file");
-  notes.push_back("parts of the assembly were read from " + listed(parts.read));
-  TDF_LabelSequence tops;
-  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(tops);
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TDF_Label& top : tops) builder.Add(all, XCAFDoc_ShapeTool::GetShape(top));
-  return all;
+  if (!parts.read.empty())
+    notes.push_back("parts of the assembly were read from " + listed(parts.read));
 }
 
-IFSelect_ReturnStatus readInto(STEPCAFControl_Reader& reader, const std::filesystem::path& path) {
-  // Files that it refers to are found only beside a file with its whole path.
-  const std::filesystem::path whole = std::filesystem::absolute(path);
+IFSelect_ReturnStatus readInto(STEPControl_Reader& reader, const std::filesystem::path& path) {
   const std::optional<std::string> mended = withOmittedNames(path);
-  if (!mended) return reader.ReadFile(whole.c_str());
+  if (!mended) return reader.ReadFile(path.c_str());
   std::istringstream text(*mended);
-  return reader.ChangeReader().ReadStream(whole.c_str(), text);
+  return reader.ReadStream(path.c_str(), text);
 }
 
 }  // namespace
 
 ReadShape readStep(const std::filesystem::path& path) {
-  STEPCAFControl_Reader withAttributes;
-  withAttributes.SetNameMode(true);
-  withAttributes.SetColorMode(true);
-  withAttributes.SetLayerMode(true);
-  withAttributes.SetPropsMode(false);
-  Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
-  STEPControl_Reader& reader = withAttributes.ChangeReader();
+  STEPControl_Reader reader;
   const ReaderSetting unit("xstep.cascade.unit", "MM");
   const bool isUtf8 = isUtf8File(path);
   const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
-  if (readInto(withAttributes, path) != IFSelect_RetDone)
+  if (readInto(reader, path) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or truncated; export the model again");
   ReadShape result;
@@ -149,17 +129,17 @@ ReadShape readStep(const std::filesystem::path& path) {
   const StepDamage damage = takeOutDamage(reader.WS(), path);
   if (!damage.text.empty()) {
     constexpr std::chrono::seconds kLimit(30);
-    if (!survives([&] { withAttributes.Transfer(document); }, kLimit))
+    if (!survives([&] { StepDocument().transfer(reader, path); }, kLimit))
       throw InputError(path.string() + ": " + damage.text + "; export the model again");
     result.notes.push_back(damage.text + "; parts that use them may be missing");
   }
-  withAttributes.Transfer(document);
+  StepDocument document;
+  document.transfer(reader, path);
   result.unit = "mm";
   result.fileUnit = lengthUnitsOf(reader);
-  const ExternalParts others = externalPartsOf(withAttributes);
-  const bool isInOneFile = others.read.empty() && others.missing.empty();
-  result.shape =
-      isInOneFile ? reader.OneShape() : joinedParts(document, others, path, result.notes);
+  const ExternalParts others = externalPartsOf(reader.WS(), document);
+  tell(others, path, result.notes);
+  result.shape = others.read.empty() ? reader.OneShape() : document.joined();
   result.groups = groupsOf(document);
   StepFaces faces;
   const auto take = [&](const Handle(XSControl_WorkSession) & session,

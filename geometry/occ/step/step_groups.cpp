@@ -1,31 +1,14 @@
 #include "geometry/occ/step/step_groups.h"
 
-#include <Quantity_Color.hxx>
-#include <TColStd_HSequenceOfExtendedString.hxx>
-#include <TCollection_AsciiString.hxx>
-#include <TCollection_ExtendedString.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
-#include <TopoDS.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
-#include <XCAFDoc_LayerTool.hxx>
-#include <XCAFDoc_ShapeTool.hxx>
-#include <XCAFPrs.hxx>
-#include <XCAFPrs_IndexedDataMapOfShapeStyle.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 namespace af2::geometry {
 namespace {
 
-std::string textOf(const TCollection_ExtendedString& text) {
-  return TCollection_AsciiString(text).ToCString();
-}
-
-/// Readers make up names for what has none.
+/// Systems write what kind of shape it is, or the number of an entity, for what has no name.
 bool isMadeUp(const std::string& name) {
   constexpr std::array kKinds{"COMPOUND", "COMPSOLID", "SOLID",  "SHELL",    "FACE",
                               "WIRE",     "EDGE",      "VERTEX", "ASSEMBLY", "NONE"};
@@ -33,35 +16,14 @@ bool isMadeUp(const std::string& name) {
          std::find(kKinds.begin(), kKinds.end(), name) != kKinds.end() || name[0] == '#';
 }
 
-std::string nameOf(const TDF_Label& label) {
-  Handle(TDataStd_Name) name;
-  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return "";
-  const std::string text = textOf(name->Get());
-  return isMadeUp(text) ? "" : text;
-}
-
-/// "#rrggbb" as screens show it.
-std::string textOf(const Quantity_Color& color) {
-  double r, g, b;
-  color.Values(r, g, b, Quantity_TOC_sRGB);
-  const auto byte = [](double x) { return static_cast<int>(std::lround(255 * x)); };
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(r) & 255, byte(g) & 255, byte(b) & 255);
-  return text;
-}
-
 class Collector {
  public:
-  explicit Collector(const Handle(TDocStd_Document) & document)
-      : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
-        layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())) {}
+  explicit Collector(const StepParts& parts) : parts_(parts) {}
 
-  std::vector<ShapeGroup> collect() {
-    TDF_LabelSequence free;
-    shapes_->GetFreeShapes(free);
-    for (const TDF_Label& label : free) {
-      walk(label, TopLoc_Location());
-      addColors(label);
+  std::vector<ShapeGroup> collect(const std::vector<PlacedStepPart>& tops) {
+    for (const PlacedStepPart& top : tops) {
+      walk(parts_[top.part], top.place);
+      addColors(top);
     }
     return std::move(groups_);
   }
@@ -74,68 +36,74 @@ class Collector {
     return groups_.back();
   }
 
-  /// Visits a label and its components; `around` is the location of the assembly above it.
-  void walk(const TDF_Label& label, const TopLoc_Location& around) {
-    add(label, around);
-    TDF_Label part = label;
-    TopLoc_Location place = around;
-    if (XCAFDoc_ShapeTool::GetReferredShape(label, part)) {
-      place = around * XCAFDoc_ShapeTool::GetLocation(label);
-      add(part, place);
+  void walk(const StepPart& part, const TopLoc_Location& place) {
+    add(part, place);
+    for (const StepInstance& instance : part.instances) {
+      add(instance, place);
+      walk(parts_[instance.part], place * instance.shape.Location());
     }
-    TDF_LabelSequence inside;
-    if (XCAFDoc_ShapeTool::IsAssembly(part))
-      XCAFDoc_ShapeTool::GetComponents(part, inside);
-    else
-      XCAFDoc_ShapeTool::GetSubShapes(part, inside);
-    for (const TDF_Label& child : inside) walk(child, place);
+    for (const StepItem& piece : part.pieces) add(piece, place);
   }
 
-  void add(const TDF_Label& label, const TopLoc_Location& around) {
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    if (shape.IsNull()) return;
-    const TopoDS_Shape placed = shape.Moved(around);
-    const std::string name = nameOf(label);
-    if (!name.empty()) group(GroupKind::Part, name).shapes.push_back(placed);
-    Handle(TColStd_HSequenceOfExtendedString) layers;
-    if (!layers_->GetLayers(label, layers)) return;
-    for (const TCollection_ExtendedString& layer : layers->Sequence())
-      group(GroupKind::Layer, textOf(layer)).shapes.push_back(placed);
+  void add(const StepItem& item, const TopLoc_Location& place) {
+    const TopoDS_Shape placed = item.shape.Moved(place);
+    if (!isMadeUp(item.name)) group(GroupKind::Part, item.name).shapes.push_back(placed);
+    for (const std::string& layer : item.layers)
+      group(GroupKind::Layer, layer).shapes.push_back(placed);
   }
 
-  /// Each face has the colour of the smallest part that has one.
-  void addColors(const TDF_Label& label) {
-    XCAFPrs_IndexedDataMapOfShapeStyle styles;
-    XCAFPrs::CollectStyleSettings(label, TopLoc_Location(), styles);
+  /// Each face has the colour of the smallest part that has one; that of an instance comes before
+  /// that of its part.
+  void addColors(const PlacedStepPart& top) {
+    colored_.Clear();
+    colors_.clear();
+    takeColors(parts_[top.part], top.place, "");
     TopTools_IndexedMapOfShape faces;
-    std::vector<std::string> colors;
-    for (int type = TopAbs_COMPOUND; type <= TopAbs_FACE; ++type) {
-      for (int i = 1; i <= styles.Extent(); ++i) {
-        const TopoDS_Shape& shape = styles.FindKey(i);
-        const XCAFPrs_Style& style = styles(i);
-        if (shape.ShapeType() != type || !style.IsSetColorSurf()) continue;
+    std::vector<std::string> colorOf;
+    for (int type = TopAbs_COMPOUND; type <= TopAbs_FACE; ++type)
+      for (int i = 1; i <= colored_.Extent(); ++i) {
+        if (colored_(i).ShapeType() != type) continue;
         TopTools_IndexedMapOfShape own;
-        TopExp::MapShapes(shape, TopAbs_FACE, own);
+        TopExp::MapShapes(colored_(i), TopAbs_FACE, own);
         for (int k = 1; k <= own.Extent(); ++k) {
-          const int index = faces.Add(own(k));
-          colors.resize(static_cast<std::size_t>(faces.Extent()));
-          colors[static_cast<std::size_t>(index) - 1] = textOf(style.GetColorSurf());
+          const auto index = static_cast<std::size_t>(faces.Add(own(k)));
+          colorOf.resize(static_cast<std::size_t>(faces.Extent()));
+          colorOf[index - 1] = colors_[static_cast<std::size_t>(i) - 1];
         }
       }
-    }
     for (int i = 1; i <= faces.Extent(); ++i)
-      group(GroupKind::Color, colors[static_cast<std::size_t>(i) - 1]).shapes.push_back(faces(i));
+      group(GroupKind::Color, colorOf[static_cast<std::size_t>(i) - 1]).shapes.push_back(faces(i));
   }
 
-  Handle(XCAFDoc_ShapeTool) shapes_;
-  Handle(XCAFDoc_LayerTool) layers_;
+  /// inherited  of the assembly around the part
+  void takeColors(const StepPart& part, const TopLoc_Location& place,
+                  const std::string& inherited) {
+    const std::string& own = part.color.empty() ? inherited : part.color;
+    for (const StepInstance& instance : part.instances) {
+      takeColors(parts_[instance.part], place * instance.shape.Location(), own);
+      takeColor(instance.shape.Moved(place), instance.color);
+    }
+    for (const StepItem& piece : part.pieces) takeColor(piece.shape.Moved(place), piece.color);
+    takeColor(part.shape.Moved(place), own);
+  }
+
+  void takeColor(const TopoDS_Shape& shape, const std::string& color) {
+    if (color.empty()) return;
+    const auto index = static_cast<std::size_t>(colored_.Add(shape));
+    colors_.resize(static_cast<std::size_t>(colored_.Extent()));
+    colors_[index - 1] = color;
+  }
+
+  const StepParts& parts_;
   std::vector<ShapeGroup> groups_;
+  TopTools_IndexedMapOfShape colored_;
+  std::vector<std::string> colors_;  ///< of these
 };
 
 }  // namespace
 
-std::vector<ShapeGroup> groupsOf(const Handle(TDocStd_Document) & document) {
-  return Collector(document).collect();
+std::vector<ShapeGroup> groupsOf(const StepDocument& document) {
+  return Collector(document.parts()).collect(document.tops());
 }
 
 }  // namespace af2::geometry

@@ -53,11 +53,12 @@ TEST(TooMany, IsWhatDoesNotFitOnTheDisk) {
     return std::string();
   };
   EXPECT_EQ(onDisk(2.1e9, true), "");
-  EXPECT_EQ(onDisk(5e8, true),
-            "the sizes need about 4e+07 elements, whose faces take at least 2 GB of the disk that "
-            "the mesh is written to, but 0.5 GB are free there; write to a larger disk, or ask for "
-            "sizes that are at least 2 times as large");
-  EXPECT_EQ(onDisk(5e8, false), "");
+  EXPECT_EQ(
+      onDisk(3.5e8, true),
+      "the sizes need about 4e+07 elements, whose faces take at least 1.4 GB of the disk that "
+      "the mesh is written to, but 0.35 GB are free there; write to a larger disk, or ask for "
+      "sizes that are at least 2 times as large");
+  EXPECT_EQ(onDisk(3.5e8, false), "");
 }
 
 TEST(TooMany, TellsIfItFitsWithFacesOnDisk) {

@@ -1,0 +1,36 @@
+// Names, colours and layers that a STEP file gives to parts and their pieces.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <StepBasic_ProductDefinition.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <map>
+
+#include "geometry/occ/step/step_parts.h"
+
+namespace af2::geometry {
+
+class StepAttributes {
+ public:
+  StepAttributes(const Handle(XSControl_WorkSession) & session, StepParts& parts)
+      : session_(session), parts_(parts) {}
+
+  /// The part that stands for a product of another file.
+  void setPart(const Handle(StepBasic_ProductDefinition) & product, std::size_t part) {
+    partOf_[product.get()] = part;
+  }
+  /// Call this when all parts are there.
+  void read();
+
+ private:
+  void readColors();
+  void readNames();
+  void readLayers();
+  StepItem* itemOf(const Handle(StepBasic_ProductDefinition) & product);
+
+  Handle(XSControl_WorkSession) session_;
+  StepParts& parts_;
+  std::map<const Standard_Transient*, std::size_t> partOf_;
+};
+
+}  // namespace af2::geometry

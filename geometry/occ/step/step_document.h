@@ -1,0 +1,57 @@
+// A STEP file with those that it refers to: reads their shapes and finds out what parts there are.
+// Not installed: includers need OpenCASCADE's headers.
+#pragma once
+
+#include <STEPControl_Reader.hxx>
+#include <TopLoc_Location.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/occ/step/step_parts.h"
+
+namespace af2::geometry {
+
+/// A part in a place.
+struct PlacedStepPart {
+  std::size_t part = 0;
+  TopLoc_Location place;
+};
+
+class StepDocument {
+ public:
+  /// Makes shapes of all that a file has, and of the files that it refers to.
+  ///
+  /// reader  has read the file
+  void transfer(STEPControl_Reader& reader, const std::filesystem::path& path);
+
+  const StepParts& parts() const { return parts_; }
+  /// Those that no assembly uses.
+  std::vector<PlacedStepPart> tops() const;
+  /// The session of a file that was read, by the name by which others refer to it; null if it was
+  /// not read.
+  Handle(XSControl_WorkSession) fileOf(const std::string& name) const;
+  /// All parts in their places, also those from other files. Assemblies get these, too.
+  TopoDS_Shape joined();
+
+ private:
+  struct OtherFile {
+    Handle(XSControl_WorkSession) session;  ///< null: it could not be read
+    int top = -1;                           ///< index in tops_ of its first shape
+  };
+  class PartFinder;
+
+  bool transferOne(STEPControl_Reader& reader, const std::filesystem::path& path);
+  const OtherFile& readOther(const std::string& name, const std::filesystem::path& path);
+
+  StepParts parts_;
+  struct Top : PlacedStepPart {
+    bool isUsed = false;
+  };
+  std::vector<Top> tops_;
+  std::map<std::string, OtherFile> others_;
+};
+
+}  // namespace af2::geometry
