@@ -79,13 +79,14 @@ class StepDocument::PartFinder {
     if (const int* top = others_.Seek(shape); top && shape.NbChildren() == 0) {
       Top& other = document_.tops_[static_cast<std::size_t>(*top)];
       other.isUsed = true;
+      parts.remember(shape, parts[other.part]);
       return other;
     }
     const std::size_t part = parts.add(shape);
     if (!isAssembly(shape)) return {part, {}};
     for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
       const PlacedStepPart inner = add(withoutPlace(it.Value()));
-      parts.addInstance(part, inner.part, it.Value().Location() * inner.place);
+      parts.addInstance(part, it.Value(), inner.part, it.Value().Location() * inner.place);
     }
     return {part, {}};
   }
@@ -116,6 +117,7 @@ bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem
   PartFinder finder(*this, reader);
   const Handle(XSControl_WorkSession) session = reader.WS();
   StepAttributes attributes(session, parts_);
+  open_.push_back(path.lexically_normal());
   STEPConstruct_ExternRefs references(session);
   references.LoadExternRefs();
   for (int i = 1; i <= references.NbExternRefs(); ++i) {
@@ -124,12 +126,13 @@ bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem
     if (!isStep(references.Format(i)) || !name || !*name || product.IsNull() ||
         !finder.has(product))
       continue;
-    const std::filesystem::path place = path.parent_path() / name;
-    if (place == path) continue;
+    const std::filesystem::path place = (path.parent_path() / name).lexically_normal();
+    if (std::ranges::count(open_, place) > 0) continue;
     const int top = readOther(name, place).top;
     finder.bind(product, top);
     if (top >= 0) attributes.setPart(product, tops_[static_cast<std::size_t>(top)].part);
   }
+  open_.pop_back();
   for (int i = 1; i <= reader.NbShapes(); ++i) {
     const PlacedStepPart part = finder.add(reader.Shape(i));
     tops_.push_back({part, false});
@@ -138,7 +141,6 @@ bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem
   return true;
 }
 
-/// A file that refers to itself through others is not read again.
 const StepDocument::OtherFile& StepDocument::readOther(const std::string& name,
                                                        const std::filesystem::path& path) {
   const auto [known, isNew] = others_.try_emplace(name);

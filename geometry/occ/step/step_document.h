@@ -52,6 +52,7 @@ class StepDocument {
   };
   std::vector<Top> tops_;
   std::map<std::string, OtherFile> others_;
+  std::vector<std::filesystem::path> open_;  ///< files that refer to the one that is read
 };
 
 }  // namespace af2::geometry

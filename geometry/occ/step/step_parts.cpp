@@ -14,16 +14,17 @@ std::size_t StepParts::add(const TopoDS_Shape& shape) {
   StepPart& part = parts_.emplace_back();
   part.shape = shape;
   partOf_.Bind(shape, static_cast<int>(parts_.size() - 1));
-  remember(part);
+  remember(shape, part);
   return parts_.size() - 1;
 }
 
-void StepParts::addInstance(std::size_t assembly, std::size_t part, const TopLoc_Location& place) {
+void StepParts::addInstance(std::size_t assembly, const TopoDS_Shape& shape, std::size_t part,
+                            const TopLoc_Location& place) {
   StepInstance& instance = parts_[assembly].instances.emplace_back();
   instance.shape = parts_[part].shape.Located(place);
   instance.part = part;
   parts_[part].isUsed = true;
-  remember(instance);
+  remember(shape, instance);
 }
 
 StepItem* StepParts::itemOf(const TopoDS_Shape& shape) {
@@ -37,7 +38,7 @@ StepItem* StepParts::itemOrPiece(const TopoDS_Shape& shape) {
   if (whole < 0) return nullptr;
   StepItem& piece = parts_[static_cast<std::size_t>(whole)].pieces.emplace_back();
   piece.shape = shape;
-  remember(piece);
+  remember(shape, piece);
   return &piece;
 }
 
@@ -53,10 +54,9 @@ int StepParts::wholeOf(const TopoDS_Shape& piece) {
   return whole ? *whole : -1;
 }
 
-/// Of several with one shape the first is found.
-void StepParts::remember(StepItem& item) {
-  if (itemOf_.IsBound(item.shape)) return;
-  itemOf_.Bind(item.shape, static_cast<int>(items_.size()));
+void StepParts::remember(const TopoDS_Shape& shape, StepItem& item) {
+  if (itemOf_.IsBound(shape)) return;
+  itemOf_.Bind(shape, static_cast<int>(items_.size()));
   items_.push_back(&item);
 }
 

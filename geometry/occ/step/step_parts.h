@@ -41,7 +41,11 @@ class StepParts {
   /// The number of the part with a shape without location; -1: there is none.
   int find(const TopoDS_Shape& shape) const;
   std::size_t add(const TopoDS_Shape& shape);
-  void addInstance(std::size_t assembly, std::size_t part, const TopLoc_Location& place);
+  /// shape  of the instance in the file: of a part in another file, the file has no faces
+  void addInstance(std::size_t assembly, const TopoDS_Shape& shape, std::size_t part,
+                   const TopLoc_Location& place);
+  /// Makes an item the one that has this shape, too, if there is none yet.
+  void remember(const TopoDS_Shape& shape, StepItem& item);
 
   /// The part, instance or piece that has this shape; null if there is none.
   StepItem* itemOf(const TopoDS_Shape& shape);
@@ -52,7 +56,6 @@ class StepParts {
  private:
   /// Finds the part that has a shape as a piece; -1: none.
   int wholeOf(const TopoDS_Shape& piece);
-  void remember(StepItem& item);
 
   std::deque<StepPart> parts_;
   TopTools_DataMapOfShapeInteger partOf_, itemOf_, wholeOf_;

@@ -93,29 +93,45 @@ TEST_F(ExternalParts, AreNamedIfTheyAreMissing) {
   }
 }
 
-TEST_F(ExternalParts, NeedNotBeThereIfTheAssemblyHasThemItself) {
-  const fs::path assembly = writeMachine(nullptr);
+/// Gives the first product of a file another file that describes it.
+void refer(const fs::path& from, const std::string& to) {
   std::stringstream content;
-  content << std::ifstream(assembly).rdbuf();
+  content << std::ifstream(from).rdbuf();
   std::string text = content.str();
-  // The first definition of a product gets a file that describes it.
   const std::size_t definition = text.find(" = PRODUCT_DEFINITION(");
   ASSERT_NE(definition, std::string::npos);
   const std::size_t number = text.rfind('#', definition);
   const std::string product = text.substr(number, definition - number);
-  text.insert(
-      text.rfind("ENDSEC;"),
-      "#9001=DOCUMENT_FILE('drawing.stp','',$,#9002,'',$);\n"
-      "#9002=DOCUMENT_TYPE('');\n"
-      "#9003=APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('drawing.stp',#9004,#9005,(#9001));\n"
-      "#9004=IDENTIFICATION_ROLE('external document id and location',$);\n"
-      "#9005=EXTERNAL_SOURCE(IDENTIFIER('drawing.stp'));\n"
-      "#9006=APPLIED_DOCUMENT_REFERENCE(#9001,'',(" +
-          product + "));\n");
-  std::ofstream(assembly) << text;
+  text.insert(text.rfind("ENDSEC;"),
+              "#9001=DOCUMENT_FILE('" + to +
+                  "','',$,#9002,'',$);\n"
+                  "#9002=DOCUMENT_TYPE('');\n"
+                  "#9003=APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('" +
+                  to +
+                  "',#9004,#9005,(#9001));\n"
+                  "#9004=IDENTIFICATION_ROLE('external document id and location',$);\n"
+                  "#9005=EXTERNAL_SOURCE(IDENTIFIER('" +
+                  to +
+                  "'));\n"
+                  "#9006=APPLIED_DOCUMENT_REFERENCE(#9001,'',(" +
+                  product + "));\n");
+  std::ofstream(from) << text;
+}
+
+TEST_F(ExternalParts, NeedNotBeThereIfTheAssemblyHasThemItself) {
+  const fs::path assembly = writeMachine(nullptr);
+  refer(assembly, "drawing.stp");
   const Model model = readModel(assembly);
   EXPECT_EQ(model.faceCount(), 12);
   EXPECT_TRUE(model.notes().empty());
+}
+
+TEST_F(ExternalParts, MayReferToTheAssembly) {
+  const fs::path assembly = writeMachine("part_");
+  refer(folder_ / "part_bolt.stp", "machine.step");
+  const Model model = readModel(assembly);
+  EXPECT_EQ(model.faceCount(), 12);
+  EXPECT_EQ(facesOf(model, "bolt").size(), 6u);
 }
 
 }  // namespace
