@@ -61,10 +61,9 @@ class StepDocument::PartFinder {
   bool has(const Handle(StepBasic_ProductDefinition) & product) const {
     return products_.contains(product.get());
   }
-  /// The product is in another file.
+  /// The product is in another file, with this index in tops_.
   void bind(const Handle(StepBasic_ProductDefinition) & product, int top) {
-    const TopoDS_Shape& shape = products_.at(product.get());
-    if (top >= 0) others_.Bind(shape, top);
+    others_.Bind(products_.at(product.get()), top);
   }
 
   PlacedStepPart add(const TopoDS_Shape& shape) {
@@ -104,12 +103,7 @@ class StepDocument::PartFinder {
   TopTools_DataMapOfShapeInteger others_;
 };
 
-void StepDocument::transfer(STEPControl_Reader& reader, const std::filesystem::path& path) {
-  transferOne(reader, path);
-}
-
-/// Returns whether there is any shape.
-bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem::path& path) {
+bool StepDocument::transfer(STEPControl_Reader& reader, const std::filesystem::path& path) {
   reader.ClearShapes();
   const int roots = reader.NbRootsForTransfer();
   for (int i = 1; i <= roots; ++i) reader.TransferOneRoot(i);
@@ -117,6 +111,19 @@ bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem
   PartFinder finder(*this, reader);
   const Handle(XSControl_WorkSession) session = reader.WS();
   StepAttributes attributes(session, parts_);
+  readOthers(session, path, finder, attributes);
+  for (int i = 1; i <= reader.NbShapes(); ++i) {
+    const PlacedStepPart part = finder.add(reader.Shape(i));
+    tops_.push_back({part, false});
+  }
+  attributes.read();
+  return true;
+}
+
+/// Reads the files in which a file has its parts.
+void StepDocument::readOthers(const Handle(XSControl_WorkSession) & session,
+                              const std::filesystem::path& path, PartFinder& finder,
+                              StepAttributes& attributes) {
   open_.push_back(path.lexically_normal());
   STEPConstruct_ExternRefs references(session);
   references.LoadExternRefs();
@@ -129,16 +136,11 @@ bool StepDocument::transferOne(STEPControl_Reader& reader, const std::filesystem
     const std::filesystem::path place = (path.parent_path() / name).lexically_normal();
     if (std::ranges::count(open_, place) > 0) continue;
     const int top = readOther(name, place).top;
+    if (top < 0) continue;
     finder.bind(product, top);
-    if (top >= 0) attributes.setPart(product, tops_[static_cast<std::size_t>(top)].part);
+    attributes.setPart(product, tops_[static_cast<std::size_t>(top)].part);
   }
   open_.pop_back();
-  for (int i = 1; i <= reader.NbShapes(); ++i) {
-    const PlacedStepPart part = finder.add(reader.Shape(i));
-    tops_.push_back({part, false});
-  }
-  attributes.read();
-  return true;
 }
 
 const StepDocument::OtherFile& StepDocument::readOther(const std::string& name,
@@ -150,7 +152,7 @@ const StepDocument::OtherFile& StepDocument::readOther(const std::string& name,
   constexpr bool kFromScratch = false;
   STEPControl_Reader reader(session, kFromScratch);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return known->second;
-  if (!transferOne(reader, path)) return known->second;
+  if (!transfer(reader, path)) return known->second;
   known->second.session = session;
   known->second.top = static_cast<int>(tops_.size()) - reader.NbShapes();
   return known->second;

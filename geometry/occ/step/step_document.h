@@ -14,6 +14,8 @@
 
 namespace af2::geometry {
 
+class StepAttributes;
+
 /// A part in a place.
 struct PlacedStepPart {
   std::size_t part = 0;
@@ -22,10 +24,11 @@ struct PlacedStepPart {
 
 class StepDocument {
  public:
-  /// Makes shapes of all that a file has, and of the files that it refers to.
+  /// Makes shapes of all that a file has, and of the files that it refers to; returns whether there
+  /// are any.
   ///
   /// reader  has read the file
-  void transfer(STEPControl_Reader& reader, const std::filesystem::path& path);
+  bool transfer(STEPControl_Reader& reader, const std::filesystem::path& path);
 
   const StepParts& parts() const { return parts_; }
   /// Those that no assembly uses.
@@ -41,15 +44,16 @@ class StepDocument {
     Handle(XSControl_WorkSession) session;  ///< null: it could not be read
     int top = -1;                           ///< index in tops_ of its first shape
   };
-  class PartFinder;
-
-  bool transferOne(STEPControl_Reader& reader, const std::filesystem::path& path);
-  const OtherFile& readOther(const std::string& name, const std::filesystem::path& path);
-
-  StepParts parts_;
   struct Top : PlacedStepPart {
     bool isUsed = false;
   };
+  class PartFinder;
+
+  void readOthers(const Handle(XSControl_WorkSession) & session, const std::filesystem::path& path,
+                  PartFinder& finder, StepAttributes& attributes);
+  const OtherFile& readOther(const std::string& name, const std::filesystem::path& path);
+
+  StepParts parts_;
   std::vector<Top> tops_;
   std::map<std::string, OtherFile> others_;
   std::vector<std::filesystem::path> open_;  ///< files that refer to the one that is read

@@ -34,6 +34,10 @@ struct StepPart : StepItem {
 
 class StepParts {
  public:
+  StepParts() = default;
+  StepParts(const StepParts&) = delete;
+  StepParts& operator=(const StepParts&) = delete;
+
   StepPart& operator[](std::size_t part) { return parts_[part]; }
   const StepPart& operator[](std::size_t part) const { return parts_[part]; }
   std::size_t count() const { return parts_.size(); }
