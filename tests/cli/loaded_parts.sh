@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The readers of STEP and IGES files, and the writers of some formats, are libraries beside the program.
+# The readers of STEP and IGES files, some algorithms of OpenCASCADE and the writers of some formats are libraries beside the
+# program.
 . "$(dirname "$0")/support.sh"
 
 # What runs without them does not load them.
@@ -14,6 +15,10 @@ says_one_line
 told "the library 'af2-step.so' that belongs to this program is not in"
 told "copy or install it along with the program"
 [ ! -e step.vtu ] || fail "there is a mesh of a model that was not read"
+expect 1 alone/af2 mesh "$models/bolt_on_plate.brep" --imprint --size 1 -o imprinted.vtu
+says_one_line
+told "the library 'af2-algorithms.so' that belongs to this program is not in"
+[ ! -e imprinted.vtu ] || fail "there is a mesh of a model that was not imprinted"
 if ldd alone/af2 | grep -qE 'TK(STEP|XCAF|IGES|V3d|BO|Mesh)|cairo'; then fail "the program is linked with what few runs need"; fi
 
 # The same holds for writers that need libraries of others, whether these were built or not.
