@@ -3,7 +3,8 @@
 // planar_front SHAPE N [OPTION...]
 //   SHAPE  square, disc (with a hole), graded (a square with sizes from 1/N to 50/N)
 //   N      the wanted length is 1/N
-//   --rules FILE, --rounds R, --sweeps S   other rules, other effort of the optimiser
+//   --rules FILE  other rules
+//   --rounds R, --sweeps S   other effort of the optimiser; not with threads
 //   --threads T   in pieces and optimised, as the library does it, on T threads
 //   --whole       with threads: not cut, as a face of a model that cannot be
 //   --raw         without the optimiser
@@ -205,6 +206,10 @@ bool read(int count, char** arguments, Task& task) {
     else
       return false;
   }
+  const OptimizeOptions usual;
+  const bool isUsual =
+      task.how.rounds == usual.rounds && task.how.smoothingSweeps == usual.smoothingSweeps;
+  if (task.threads > 0 && !isUsual) return false;  // the library does it as usual
   return (task.shape == "square" || task.shape == "disc" || task.shape == "graded") &&
          task.size > 0 && task.size <= 0.25 && task.threads >= 0;
 }
