@@ -25,27 +25,32 @@ bool hasFaces(const Handle(XSControl_WorkSession) & session,
 }  // namespace
 
 ExternalParts externalPartsOf(const Handle(XSControl_WorkSession) & session,
-                              const StepDocument& document) {
+                              const std::filesystem::path& path, const StepDocument& document) {
   ExternalParts parts;
-  std::set<std::string> reported;
-  const auto lookAt = [&](const Handle(XSControl_WorkSession) & from) {
+  std::set<std::filesystem::path> reported;
+  std::vector<std::filesystem::path> paths;  // of the sessions
+  const auto lookAt = [&](const Handle(XSControl_WorkSession) & from,
+                          const std::filesystem::path& file) {
     STEPConstruct_ExternRefs references(from);
     if (!references.LoadExternRefs()) return;
     for (int i = 1; i <= references.NbExternRefs(); ++i) {
       const char* const text = references.FileName(i);
       const std::string name = text ? text : "";
-      const Handle(XSControl_WorkSession) file = document.fileOf(name);
-      const bool isRead = !file.IsNull();
+      const std::filesystem::path place = besideStepFile(file, name);
+      const Handle(XSControl_WorkSession) other = document.sessionOf(place);
+      const bool isRead = !other.IsNull();
       if (!isRead && hasFaces(from, references.ProdDef(i))) continue;
-      if (!reported.insert(name).second) continue;
+      if (!reported.insert(place).second) continue;
       (isRead ? parts.read : parts.missing).push_back(name);
-      if (isRead) parts.sessions.push_back(file);
+      if (!isRead) continue;
+      parts.sessions.push_back(other);
+      paths.push_back(place);
     }
   };
-  lookAt(session);
+  lookAt(session, path);
   // Grows as it goes on: parts may be assemblies again.
-  for (std::size_t i = 0; i < parts.sessions.size(); ++i)
-    lookAt(Handle(XSControl_WorkSession)(parts.sessions[i]));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    lookAt(Handle(XSControl_WorkSession)(parts.sessions[i]), std::filesystem::path(paths[i]));
   return parts;
 }
 

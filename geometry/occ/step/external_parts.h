@@ -17,8 +17,8 @@ struct ExternalParts {
   std::vector<std::string> missing;
 };
 
-/// session  of the file that the document was made of
+/// session, path  of the file that the document was made of
 ExternalParts externalPartsOf(const Handle(XSControl_WorkSession) & session,
-                              const StepDocument& document);
+                              const std::filesystem::path& path, const StepDocument& document);
 
 }  // namespace af2::geometry

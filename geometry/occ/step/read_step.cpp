@@ -137,7 +137,7 @@ ReadShape readStep(const std::filesystem::path& path) {
   document.transfer(reader, path);
   result.unit = "mm";
   result.fileUnit = lengthUnitsOf(reader);
-  const ExternalParts others = externalPartsOf(reader.WS(), document);
+  const ExternalParts others = externalPartsOf(reader.WS(), path, document);
   tell(others, path, result.notes);
   result.shape = others.read.empty() ? reader.OneShape() : document.joined();
   result.groups = groupsOf(document);

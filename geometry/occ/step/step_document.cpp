@@ -37,6 +37,10 @@ bool isStep(const Handle(TCollection_HAsciiString) & format) {
 
 }  // namespace
 
+std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name) {
+  return (file.parent_path() / name).lexically_normal();
+}
+
 /// Finds the parts of one file in its shapes. A compound is an assembly if something in it is a
 /// product or a representation of its own; others are bodies that belong together.
 class StepDocument::PartFinder {
@@ -133,9 +137,9 @@ void StepDocument::readOthers(const Handle(XSControl_WorkSession) & session,
     if (!isStep(references.Format(i)) || !name || !*name || product.IsNull() ||
         !finder.has(product))
       continue;
-    const std::filesystem::path place = (path.parent_path() / name).lexically_normal();
+    const std::filesystem::path place = besideStepFile(path, name);
     if (std::ranges::count(open_, place) > 0) continue;
-    const int top = readOther(name, place).top;
+    const int top = readOther(place).top;
     if (top < 0) continue;
     finder.bind(product, top);
     attributes.setPart(product, tops_[static_cast<std::size_t>(top)].part);
@@ -143,9 +147,8 @@ void StepDocument::readOthers(const Handle(XSControl_WorkSession) & session,
   open_.pop_back();
 }
 
-const StepDocument::OtherFile& StepDocument::readOther(const std::string& name,
-                                                       const std::filesystem::path& path) {
-  const auto [known, isNew] = others_.try_emplace(name);
+const StepDocument::OtherFile& StepDocument::readOther(const std::filesystem::path& path) {
+  const auto [known, isNew] = others_.try_emplace(path);
   if (!isNew) return known->second;
   const Handle(XSControl_WorkSession) session = new XSControl_WorkSession;
   session->SelectNorm("STEP");
@@ -170,8 +173,8 @@ std::vector<PlacedStepPart> StepDocument::tops() const {
   return tops;
 }
 
-Handle(XSControl_WorkSession) StepDocument::fileOf(const std::string& name) const {
-  const auto known = others_.find(name);
+Handle(XSControl_WorkSession) StepDocument::sessionOf(const std::filesystem::path& path) const {
+  const auto known = others_.find(path);
   return known == others_.end() ? Handle(XSControl_WorkSession)() : known->second.session;
 }
 

@@ -22,6 +22,9 @@ struct PlacedStepPart {
   TopLoc_Location place;
 };
 
+/// Where a file is that another one refers to.
+std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name);
+
 class StepDocument {
  public:
   /// Makes shapes of all that a file has, and of the files that it refers to; returns whether there
@@ -33,9 +36,8 @@ class StepDocument {
   const StepParts& parts() const { return parts_; }
   /// Those that no assembly uses.
   std::vector<PlacedStepPart> tops() const;
-  /// The session of a file that was read, by the name by which others refer to it; null if it was
-  /// not read.
-  Handle(XSControl_WorkSession) fileOf(const std::string& name) const;
+  /// The session of another file that was read; null if it was not.
+  Handle(XSControl_WorkSession) sessionOf(const std::filesystem::path& path) const;
   /// All parts in their places, also those from other files. Assemblies get these, too.
   TopoDS_Shape joined();
 
@@ -51,11 +53,11 @@ class StepDocument {
 
   void readOthers(const Handle(XSControl_WorkSession) & session, const std::filesystem::path& path,
                   PartFinder& finder, StepAttributes& attributes);
-  const OtherFile& readOther(const std::string& name, const std::filesystem::path& path);
+  const OtherFile& readOther(const std::filesystem::path& path);
 
   StepParts parts_;
   std::vector<Top> tops_;
-  std::map<std::string, OtherFile> others_;
+  std::map<std::filesystem::path, OtherFile> others_;
   std::vector<std::filesystem::path> open_;  ///< files that refer to the one that is read
 };
 

@@ -31,17 +31,19 @@ class ExternalParts : public ::testing::Test {
   ~ExternalParts() override { fs::remove_all(folder_); }
 
   /// A plate and a bolt that is there twice; with a prefix, each part in a file of its own.
-  fs::path writeMachine(const char* prefix) const {
+  fs::path writeMachine(const char* prefix, const std::string& folder = "",
+                        double length = 20) const {
+    fs::create_directories(folder_ / folder);
     const Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
     const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-    const TDF_Label plate = shapes->AddShape(BRepPrimAPI_MakeBox(20, 10, 2).Shape(), false);
+    const TDF_Label plate = shapes->AddShape(BRepPrimAPI_MakeBox(length, 10, 2).Shape(), false);
     const TDF_Label bolt = shapes->AddShape(BRepPrimAPI_MakeCylinder(1, 4).Shape(), false);
     TDataStd_Name::Set(plate, "plate");
     TDataStd_Name::Set(bolt, "bolt");
     const TDF_Label machine = shapes->NewShape();
     TDataStd_Name::Set(machine, "machine");
     shapes->AddComponent(machine, plate, TopLoc_Location());
-    for (const double x : {5.0, 15.0}) {
+    for (const double x : {length / 4, 3 * length / 4}) {
       gp_Trsf place;
       place.SetTranslation({x, 5, 2});
       shapes->AddComponent(machine, bolt, TopLoc_Location(place));
@@ -50,8 +52,9 @@ class ExternalParts : public ::testing::Test {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     STEPCAFControl_Writer writer;
     writer.Transfer(document, STEPControl_AsIs, prefix);
-    writer.Write((folder_ / "machine.step").c_str());
-    return folder_ / "machine.step";
+    const fs::path path = folder_ / folder / "machine.step";
+    writer.Write(path.c_str());
+    return path;
   }
 
   const fs::path folder_ =
@@ -91,6 +94,30 @@ TEST_F(ExternalParts, AreNamedIfTheyAreMissing) {
     EXPECT_NE(text.find("'part_bolt.stp'"), std::string::npos) << text;
     EXPECT_EQ(text.find("'part_plate.stp'"), std::string::npos) << text;
   }
+}
+
+/// Replaces all that is a text in a file.
+void replace(const fs::path& file, const std::string& from, const std::string& to) {
+  std::stringstream content;
+  content << std::ifstream(file).rdbuf();
+  std::string text = content.str();
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  std::ofstream(file) << text;
+}
+
+TEST_F(ExternalParts, MayHaveTheSameNameInOtherFolders) {
+  const fs::path top = writeMachine("part_");
+  writeMachine("part_", "short");
+  writeMachine("part_", "long", 40);
+  replace(top, "part_plate.stp", "short/machine.step");
+  replace(top, "part_bolt.stp", "long/machine.step");
+  const Model model = readModel(top);
+  // The short machine, and the long one in the places of both bolts.
+  EXPECT_EQ(model.faceCount(), 3 * 12);
+  EXPECT_EQ(facesOf(model, "plate").size(), 12u + 2 * 6);
+  EXPECT_EQ(facesOf(model, "bolt").size(), 2 * 12u + 6);
+  EXPECT_NEAR(model.diagonal(), std::sqrt(55 * 55 + 15 * 15 + 8 * 8), 1e-3);
 }
 
 /// Gives the first product of a file another file that describes it.
