@@ -14,7 +14,7 @@ namespace af2::geometry {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// About 6 bytes for a triangle.
+/// About 5 bytes for a triangle.
 Bytes packed(std::span<const Element> elements);
 /// About 1 byte for an element.
 Bytes packed(std::span<const ElementOrigin> origins);

@@ -1,13 +1,10 @@
 #include "geometry/occ/step/step_attributes.h"
 
-#include <Interface_EntityIterator.hxx>
-#include <Interface_Graph.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPConstruct_Styles.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <StepBasic_ProductDefinitionWithAssociatedDocuments.hxx>
-#include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_RepresentedDefinition.hxx>
@@ -22,9 +19,6 @@
 #include <StepVisual_StyledItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Iterator.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -61,37 +55,6 @@ std::string nameOf(const Handle(StepBasic_ProductDefinitionRelationship) & usage
   return textOf(isGiven(usage->Name()) ? usage->Name() : usage->Id());
 }
 
-/// What the model says of one kind of entity.
-class Entities {
- public:
-  explicit Entities(const Handle(XSControl_WorkSession) & session)
-      : session_(session), process_(session->TransferReader()->TransientProcess()) {}
-
-  TopoDS_Shape shapeOf(const Handle(Standard_Transient) & entity) const {
-    return entity.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(process_, entity);
-  }
-
-  template <class Visit>
-  void forEach(const Visit& visit) const {
-    const auto& model = session_->Model();
-    for (int i = 1; i <= model->NbEntities(); ++i) visit(model->Value(i));
-  }
-
-  /// Calls `visit` with all entities of a type that refer to another.
-  template <class Type, class Visit>
-  void forEachUser(const Handle(Standard_Transient) & of, const Visit& visit) const {
-    Interface_EntityIterator users = session_->HGraph()->Graph().Sharings(of);
-    for (users.Start(); users.More(); users.Next()) {
-      const auto user = opencascade::handle<Type>::DownCast(users.Value());
-      if (!user.IsNull()) visit(user);
-    }
-  }
-
- private:
-  Handle(XSControl_WorkSession) session_;
-  Handle(Transfer_TransientProcess) process_;
-};
-
 /// The representation of an assembly in which a style is that of one component.
 Handle(StepShape_ShapeRepresentation) contextOf(const Handle(StepVisual_StyledItem) & style) {
   for (int i = 1; i <= style->NbStyles(); ++i) {
@@ -108,7 +71,7 @@ Handle(StepShape_ShapeRepresentation) contextOf(const Handle(StepVisual_StyledIt
 /// The usage of a part that such a style is for; null if there is none, or if it is of an assembly
 /// further up.
 Handle(StepRepr_AssemblyComponentUsage)
-    usageOf(const Handle(StepVisual_StyledItem) & style, const Entities& entities) {
+    usageOf(const Handle(StepVisual_StyledItem) & style, const StepEntities& entities) {
   Handle(StepRepr_AssemblyComponentUsage) found;
   const Handle(StepShape_ShapeRepresentation) context = contextOf(style);
   if (context.IsNull()) return found;
@@ -134,7 +97,6 @@ void StepAttributes::read() {
 void StepAttributes::readColors() {
   STEPConstruct_Styles styles(session_);
   if (!styles.LoadStyles()) return;
-  const Entities entities(session_);
   for (int i = 1; i <= styles.NbStyles(); ++i) {
     const Handle(StepVisual_StyledItem) style = styles.Style(i);
     Handle(StepVisual_Colour) surface, boundary, curve, rendered;
@@ -145,12 +107,12 @@ void StepAttributes::readColors() {
       continue;
     const Handle(StepVisual_Colour) color = rendered.IsNull() ? surface : rendered;
     if (color.IsNull()) continue;
-    TopoDS_Shape shape = entities.shapeOf(style->ItemAP242().Value());
+    TopoDS_Shape shape = entities_.shapeOf(style->ItemAP242().Value());
     if (isOfComponent) {
-      const auto usage = usageOf(style, entities);
+      const auto usage = usageOf(style, entities_);
       if (!usage.IsNull() && usage->IsKind(STANDARD_TYPE(StepRepr_SpecifiedHigherUsageOccurrence)))
         continue;
-      const StepItem* const instance = parts_.itemOf(entities.shapeOf(usage));
+      const StepItem* const instance = parts_.itemOf(entities_.shapeOf(usage));
       if (instance) shape = instance->shape;
     }
     if (shape.IsNull()) continue;
@@ -164,12 +126,11 @@ void StepAttributes::readColors() {
 }
 
 void StepAttributes::readNames() {
-  const Entities entities(session_);
-  entities.forEach([&](const Handle(Standard_Transient) & entity) {
+  entities_.forEach([&](const Handle(Standard_Transient) & entity) {
     if (entity->IsInstance(STANDARD_TYPE(StepRepr_NextAssemblyUsageOccurrence))) {
-      StepItem* const item = parts_.itemOf(entities.shapeOf(entity));
+      StepItem* const item = parts_.itemOf(entities_.shapeOf(entity));
       if (!item) return;
-      entities.forEachUser<StepRepr_ProductDefinitionShape>(entity, [&](const auto& user) {
+      entities_.forEachUser<StepRepr_ProductDefinitionShape>(entity, [&](const auto& user) {
         const auto usage = user->Definition().ProductDefinitionRelationship();
         if (!usage.IsNull()) item->name = nameOf(usage);
       });
@@ -179,20 +140,19 @@ void StepAttributes::readNames() {
       const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
       const auto other = partOf_.find(product.get());
       StepItem* const item = other != partOf_.end() ? &parts_[other->second]
-                                                    : parts_.itemOf(entities.shapeOf(product));
+                                                    : parts_.itemOf(entities_.shapeOf(product));
       if (item) item->name = nameOf(product);
     }
   });
 }
 
 void StepAttributes::readLayers() {
-  const Entities entities(session_);
-  entities.forEach([&](const Handle(Standard_Transient) & entity) {
+  entities_.forEach([&](const Handle(Standard_Transient) & entity) {
     const auto layer = Handle(StepVisual_PresentationLayerAssignment)::DownCast(entity);
     if (layer.IsNull() || layer->AssignedItems().IsNull()) return;
     const std::string name = textOf(layer->Name());
     for (int i = 1; i <= layer->NbAssignedItems(); ++i) {
-      const TopoDS_Shape shape = entities.shapeOf(layer->AssignedItemsValue(i).Value());
+      const TopoDS_Shape shape = entities_.shapeOf(layer->AssignedItemsValue(i).Value());
       StepItem* const item = shape.IsNull() ? nullptr : parts_.itemOrPiece(shape);
       if (item && !std::ranges::count(item->layers, name)) item->layers.push_back(name);
     }

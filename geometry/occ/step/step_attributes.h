@@ -3,9 +3,9 @@
 #pragma once
 
 #include <StepBasic_ProductDefinition.hxx>
-#include <XSControl_WorkSession.hxx>
 #include <map>
 
+#include "geometry/occ/step/step_entities.h"
 #include "geometry/occ/step/step_parts.h"
 
 namespace af2::geometry {
@@ -13,7 +13,7 @@ namespace af2::geometry {
 class StepAttributes {
  public:
   StepAttributes(const Handle(XSControl_WorkSession) & session, StepParts& parts)
-      : session_(session), parts_(parts) {}
+      : session_(session), entities_(session), parts_(parts) {}
 
   /// The part that stands for a product of another file.
   void setPart(const Handle(StepBasic_ProductDefinition) & product, std::size_t part) {
@@ -26,9 +26,9 @@ class StepAttributes {
   void readColors();
   void readNames();
   void readLayers();
-  StepItem* itemOf(const Handle(StepBasic_ProductDefinition) & product);
 
   Handle(XSControl_WorkSession) session_;
+  StepEntities entities_;
   StepParts& parts_;
   std::map<const Standard_Transient*, std::size_t> partOf_;
 };

@@ -3,15 +3,11 @@
 #include <BRep_Builder.hxx>
 #include <STEPConstruct_ExternRefs.hxx>
 #include <StepBasic_ProductDefinition.hxx>
-#include <StepData_StepModel.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
-#include <TransferBRep.hxx>
-#include <Transfer_TransientProcess.hxx>
-#include <XSControl_TransferReader.hxx>
 #include <algorithm>
 
 #include "geometry/occ/step/step_attributes.h"
@@ -48,18 +44,15 @@ class StepDocument::PartFinder {
   PartFinder(StepDocument& document, STEPControl_Reader& reader) : document_(document) {
     TopTools_MapOfShape shapes;
     for (int i = 1; i <= reader.NbShapes(); ++i) addCompounds(reader.Shape(i), shapes);
-    const Handle(XSControl_WorkSession) session = reader.WS();
-    const auto& process = session->TransferReader()->TransientProcess();
-    const auto& model = session->Model();
-    for (int i = 1; i <= model->NbEntities(); ++i) {
-      const Handle(Standard_Transient) entity = model->Value(i);
+    const StepEntities entities(reader.WS());
+    entities.forEach([&](const Handle(Standard_Transient) & entity) {
       const bool isProduct = entity->IsKind(STANDARD_TYPE(StepBasic_ProductDefinition));
-      if (!isProduct && !entity->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) continue;
-      const TopoDS_Shape shape = TransferBRep::ShapeResult(process, entity);
-      if (shape.IsNull() || !shapes.Contains(shape)) continue;
+      if (!isProduct && !entity->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) return;
+      const TopoDS_Shape shape = entities.shapeOf(entity);
+      if (shape.IsNull() || !shapes.Contains(shape)) return;
       own_.Add(shape);
       if (isProduct) products_[entity.get()] = shape;
-    }
+    });
   }
 
   bool has(const Handle(StepBasic_ProductDefinition) & product) const {

@@ -28,8 +28,8 @@ void StepParts::addInstance(std::size_t assembly, const TopoDS_Shape& shape, std
 }
 
 StepItem* StepParts::itemOf(const TopoDS_Shape& shape) {
-  const int* item = itemOf_.Seek(shape);
-  return item ? items_[static_cast<std::size_t>(*item)] : nullptr;
+  StepItem* const* item = itemOf_.Seek(shape);
+  return item ? *item : nullptr;
 }
 
 StepItem* StepParts::itemOrPiece(const TopoDS_Shape& shape) {
@@ -55,9 +55,7 @@ int StepParts::wholeOf(const TopoDS_Shape& piece) {
 }
 
 void StepParts::remember(const TopoDS_Shape& shape, StepItem& item) {
-  if (itemOf_.IsBound(shape)) return;
-  itemOf_.Bind(shape, static_cast<int>(items_.size()));
-  items_.push_back(&item);
+  if (!itemOf_.IsBound(shape)) itemOf_.Bind(shape, &item);
 }
 
 }  // namespace af2::geometry

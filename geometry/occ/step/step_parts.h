@@ -3,7 +3,9 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <NCollection_DataMap.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstddef>
 #include <deque>
@@ -62,8 +64,8 @@ class StepParts {
   int wholeOf(const TopoDS_Shape& piece);
 
   std::deque<StepPart> parts_;
-  TopTools_DataMapOfShapeInteger partOf_, itemOf_, wholeOf_;
-  std::vector<StepItem*> items_;
+  TopTools_DataMapOfShapeInteger partOf_, wholeOf_;
+  NCollection_DataMap<TopoDS_Shape, StepItem*, TopTools_ShapeMapHasher> itemOf_;
   std::size_t searched_ = 0;  ///< so many parts have their pieces in wholeOf_
 };
 
