@@ -138,9 +138,7 @@ void StepAttributes::readNames() {
                entity->IsInstance(
                    STANDARD_TYPE(StepBasic_ProductDefinitionWithAssociatedDocuments))) {
       const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
-      const auto other = partOf_.find(product.get());
-      StepItem* const item = other != partOf_.end() ? &parts_[other->second]
-                                                    : parts_.itemOf(entities_.shapeOf(product));
+      StepItem* const item = parts_.itemOf(entities_.shapeOf(product));
       if (item) item->name = nameOf(product);
     }
   });

@@ -2,9 +2,6 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
-#include <StepBasic_ProductDefinition.hxx>
-#include <map>
-
 #include "geometry/occ/step/step_entities.h"
 #include "geometry/occ/step/step_parts.h"
 
@@ -15,10 +12,6 @@ class StepAttributes {
   StepAttributes(const Handle(XSControl_WorkSession) & session, StepParts& parts)
       : session_(session), entities_(session), parts_(parts) {}
 
-  /// The part that stands for a product of another file.
-  void setPart(const Handle(StepBasic_ProductDefinition) & product, std::size_t part) {
-    partOf_[product.get()] = part;
-  }
   /// Call this when all parts are there.
   void read();
 
@@ -30,7 +23,6 @@ class StepAttributes {
   Handle(XSControl_WorkSession) session_;
   StepEntities entities_;
   StepParts& parts_;
-  std::map<const Standard_Transient*, std::size_t> partOf_;
 };
 
 }  // namespace af2::geometry

@@ -55,8 +55,11 @@ class StepDocument::PartFinder {
     });
   }
 
-  bool has(const Handle(StepBasic_ProductDefinition) & product) const {
-    return products_.contains(product.get());
+  /// Whether the file itself has nothing of a product that it uses.
+  bool lacks(const Handle(StepBasic_ProductDefinition) & product) const {
+    const auto found = products_.find(product.get());
+    return found != products_.end() && found->second.ShapeType() == TopAbs_COMPOUND &&
+           found->second.NbChildren() == 0;
   }
   /// The product is in another file, with this index in tops_.
   void bind(const Handle(StepBasic_ProductDefinition) & product, int top) {
@@ -72,7 +75,7 @@ class StepDocument::PartFinder {
     if (const int known = parts.find(shape); known >= 0)
       return {static_cast<std::size_t>(known), {}};
     if (shape.ShapeType() != TopAbs_COMPOUND) return {parts.add(shape), {}};
-    if (const int* top = others_.Seek(shape); top && shape.NbChildren() == 0) {
+    if (const int* top = others_.Seek(shape)) {
       Top& other = document_.tops_[static_cast<std::size_t>(*top)];
       other.isUsed = true;
       parts.remember(shape, parts[other.part]);
@@ -107,20 +110,18 @@ bool StepDocument::transfer(STEPControl_Reader& reader, const std::filesystem::p
   if (reader.NbShapes() <= 0) return false;
   PartFinder finder(*this, reader);
   const Handle(XSControl_WorkSession) session = reader.WS();
-  StepAttributes attributes(session, parts_);
-  readOthers(session, path, finder, attributes);
+  readOthers(session, path, finder);
   for (int i = 1; i <= reader.NbShapes(); ++i) {
     const PlacedStepPart part = finder.add(reader.Shape(i));
     tops_.push_back({part, false});
   }
-  attributes.read();
+  StepAttributes(session, parts_).read();
   return true;
 }
 
 /// Reads the files in which a file has its parts.
 void StepDocument::readOthers(const Handle(XSControl_WorkSession) & session,
-                              const std::filesystem::path& path, PartFinder& finder,
-                              StepAttributes& attributes) {
+                              const std::filesystem::path& path, PartFinder& finder) {
   open_.push_back(path.lexically_normal());
   STEPConstruct_ExternRefs references(session);
   references.LoadExternRefs();
@@ -128,14 +129,12 @@ void StepDocument::readOthers(const Handle(XSControl_WorkSession) & session,
     const char* const name = references.FileName(i);
     const Handle(StepBasic_ProductDefinition) product = references.ProdDef(i);
     if (!isStep(references.Format(i)) || !name || !*name || product.IsNull() ||
-        !finder.has(product))
+        !finder.lacks(product))
       continue;
     const std::filesystem::path place = besideStepFile(path, name);
     if (std::ranges::count(open_, place) > 0) continue;
     const int top = readOther(place).top;
-    if (top < 0) continue;
-    finder.bind(product, top);
-    attributes.setPart(product, tops_[static_cast<std::size_t>(top)].part);
+    if (top >= 0) finder.bind(product, top);
   }
   open_.pop_back();
 }

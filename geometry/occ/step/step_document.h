@@ -14,8 +14,6 @@
 
 namespace af2::geometry {
 
-class StepAttributes;
-
 /// A part in a place.
 struct PlacedStepPart {
   std::size_t part = 0;
@@ -52,7 +50,7 @@ class StepDocument {
   class PartFinder;
 
   void readOthers(const Handle(XSControl_WorkSession) & session, const std::filesystem::path& path,
-                  PartFinder& finder, StepAttributes& attributes);
+                  PartFinder& finder);
   const OtherFile& readOther(const std::filesystem::path& path);
 
   StepParts parts_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "engine/base/error.h"
@@ -148,6 +149,38 @@ void refer(const fs::path& from, const std::string& to) {
 TEST_F(ExternalParts, NeedNotBeThereIfTheAssemblyHasThemItself) {
   const fs::path assembly = writeMachine(nullptr);
   refer(assembly, "drawing.stp");
+  const Model model = readModel(assembly);
+  EXPECT_EQ(model.faceCount(), 12);
+  EXPECT_TRUE(model.notes().empty());
+}
+
+/// Of products the name, else the number; of uses the description, else the name.
+TEST_F(ExternalParts, HaveTheNamesThatTheFileGivesThem) {
+  const fs::path assembly = writeMachine(nullptr);
+  replace(assembly, "PRODUCT('plate','plate'", "PRODUCT('P-17','cover'");
+  replace(assembly, "PRODUCT('bolt','bolt'", "PRODUCT('B-4',''");
+  // The writer counts uses, from file to file, and makes names up.
+  std::stringstream content;
+  content << std::ifstream(assembly).rdbuf();
+  std::string text = content.str();
+  for (const char* const use :
+       {"('1','','',", "('2','first','left bolt',", "('3','right bolt','',"}) {
+    const std::regex unnamed("(_USAGE_OCCURRENCE)\\('[^']*','[^']*','[^']*',");
+    text = std::regex_replace(text, unnamed, std::string("$1 ") + use,
+                              std::regex_constants::format_first_only);
+  }
+  std::ofstream(assembly) << text;
+  const Model model = readModel(assembly);
+  const std::vector<std::pair<const char*, std::size_t>> expected{
+      {"machine", 12}, {"cover", 6}, {"B-4", 6},  {"left bolt", 3}, {"right bolt", 3},
+      {"P-17", 0},     {"plate", 0}, {"bolt", 0}, {"first", 0}};
+  for (const auto& [name, faces] : expected) EXPECT_EQ(facesOf(model, name).size(), faces) << name;
+}
+
+TEST_F(ExternalParts, AreNotReadIfTheAssemblyHasThemItself) {
+  const fs::path assembly = writeMachine(nullptr);
+  writeMachine(nullptr, "other", 40);
+  refer(assembly, "other/machine.step");
   const Model model = readModel(assembly);
   EXPECT_EQ(model.faceCount(), 12);
   EXPECT_TRUE(model.notes().empty());
