@@ -58,9 +58,7 @@ int usualThreads() {
   return std::max(1, some < all ? some : some / processes);
 }
 
-void refuseWhatNeedsOneProcess(const MeshOptions& options, const std::string& parts) {
-  if (options.stream && !parts.empty())
-    throw UsageError("--stream: parts are cut from a mesh in memory; leave out --parts");
+void refuseWhatNeedsOneProcess(const MeshOptions& options) {
   if (options.coarsen)
     throw UsageError("--coarsen: all processes must know the sizes beforehand; use af2 mesh");
   if (!options.trace.empty() || options.statistics)
@@ -75,11 +73,22 @@ struct Options {
   std::string parts;
 };
 
+/// Where nothing speaks against it, faces stay with the processes that have meshed them: on disk if
+/// that is asked for.
+geometry::SpoolRequest keptFaces(bool areOnDisk, const MeshRequest& request, int processes) {
+  using Request = geometry::SpoolRequest;
+  Request kept = checkedStream(areOnDisk, request);
+  if (kept.when != Request::When::IfNeeded) return kept;
+  kept.when = processes > 1 ? Request::When::Always : Request::When::Never;
+  kept.where = Request::Where::Memory;
+  return kept;
+}
+
 /// Gives each process its part of the mesh, which writes it. No file appears unless all can be
 /// written.
 void writeParts(Crew& crew, const ModelMesh& mesh, const MeshRequest& request,
                 const std::string& file) {
-  if (mesh.elements.empty() || file.empty()) return;
+  if (elementCount(mesh) == 0 || file.empty()) return;
   const double factor = request.scale.factor;
   const auto partOf = [&](const ModelMesh& whole) {
     return distribute(crew, whole, request.fileOptions.lines);
@@ -103,7 +112,7 @@ void writeOwnPart(Crew& crew, const std::string& file) {
 
 int lead(Crew& crew, const Options& given, int threads) {
   const MeshOptions& options = given.mesh;
-  refuseWhatNeedsOneProcess(options, given.parts);
+  refuseWhatNeedsOneProcess(options);
   MeshRequest request = checkedRequest(options);
   if (!given.parts.empty()) checkPartsFile(given.parts);
   // Before the others do so, and say the same about errors.
@@ -111,7 +120,7 @@ int lead(Crew& crew, const Options& given, int threads) {
   sendModel(crew.process(), request.model);
   request.options.threads = threads;
   request.options.crew = crew.faces();
-  if (options.stream) request.options.spool = checkedStream(true, request);
+  request.options.spool = keptFaces(options.stream, request, crew.process().post().ranks());
   RunWatch watch;
   watch.meshed = [&](const ModelMesh& mesh) { writeParts(crew, mesh, request, given.parts); };
   try {
@@ -140,9 +149,7 @@ int follow(Crew& crew, const Options& given, int threads) {
   request.options.crew = crew.faces();
   request.options.maxMemory = std::numeric_limits<double>::infinity();  // the leader decides
   // The folder of the output may be one of the machine of the leader.
-  if (options.stream)
-    request.options.spool = {geometry::SpoolRequest::When::Always,
-                             std::filesystem::temp_directory_path()};
+  request.options.spool.folder = std::filesystem::temp_directory_path();
   RunControl control;
   control.showProgress = false;
   control.names = [&](auto, auto) { model.remove(); };  // it has been read

@@ -19,7 +19,8 @@ namespace af2::geometry {
 MemoryLimit memoryLimitOf(const MeshingOptions& options) {
   MemoryLimit limit{options.maxMemory, options.spool.when == SpoolRequest::When::Always,
                     threadCount(options.threads)};
-  if (!limit.isSpooled) return limit;
+  limit.isPacked = options.spool.where == SpoolRequest::Where::Memory;
+  if (!limit.isSpooled || limit.isPacked) return limit;
   const std::filesystem::path& folder = options.spool.folder;
   std::error_code unknown;
   const auto space = std::filesystem::space(folder.empty() ? "." : folder, unknown);

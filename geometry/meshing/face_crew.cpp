@@ -5,8 +5,9 @@
 namespace af2::geometry {
 
 RunChange changeOf(const MeshingOptions& options) {
-  return {options.faces,     options.sizes.sources,   options.sizes.chords, options.optimize,
-          options.evenLoops, !options.layers.empty(), options.order};
+  return {options.faces,    options.sizes.sources, options.sizes.chords,
+          options.optimize, options.evenLoops,     !options.layers.empty(),
+          options.order,    options.spool.when,    options.spool.where};
 }
 
 MeshingOptions withChange(MeshingOptions options, const RunChange& change) {
@@ -17,6 +18,8 @@ MeshingOptions withChange(MeshingOptions options, const RunChange& change) {
   options.optimize = change.optimize;
   options.evenLoops = change.evenLoops;
   options.order = change.order;
+  options.spool.when = change.keepFaces;
+  options.spool.where = change.keptIn;
   if (!change.hasLayers) options.layers.clear();
   return options;
 }

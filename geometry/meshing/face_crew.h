@@ -30,6 +30,8 @@ struct RunChange {
   ChordBounds chords;
   bool optimize = true, evenLoops = false, hasLayers = true;
   int order = 1;
+  SpoolRequest::When keepFaces = SpoolRequest::When::Never;
+  SpoolRequest::Where keptIn = SpoolRequest::Where::Disk;
 };
 
 RunChange changeOf(const MeshingOptions& options);
@@ -43,7 +45,8 @@ using MeshTry = std::function<FaceMesh(const FaceTry&, RegionCrew* pieces)>;
 /// Takes the mesh of the k-th try. Called from several threads, also at once.
 using TakeMesh = std::function<void(std::size_t k, FaceMesh)>;
 
-/// Puts the bulk of a face on disk, if faces are kept there. Called from several threads at once.
+/// Puts away the bulk of a face, if faces are kept where they are meshed. Called from several
+/// threads at once.
 using KeepMesh = std::function<void(FaceMesh&)>;
 
 /// The process that divides the edges, decides which faces are meshed and tried again, and joins
@@ -72,8 +75,8 @@ class CrewFollower {
   virtual std::optional<FaceRound> nextRound() = 0;
   /// Meshes faces until the round is over.
   ///
-  /// keep  called with each face that this process has finished: what it puts on disk stays there,
-  ///       and the leader gets it when it asks for it
+  /// keep  called with each face that this process has finished: what it puts away stays there, and
+  ///       the leader gets it when it asks for it
   virtual void help(const MeshTry& mesh, const KeepMesh& keep) = 0;
   /// The mesh without vertices and elements.
   virtual ModelMesh reports() = 0;

@@ -231,6 +231,7 @@ class FaceRun final : public RetriedModel {
 
   static std::shared_ptr<SpoolFile> spoolFor(const MeshingOptions& options) {
     if (options.spool.when != SpoolRequest::When::Always) return nullptr;
+    if (options.spool.where == SpoolRequest::Where::Memory) return std::make_shared<SpoolFile>();
     return std::make_shared<SpoolFile>(options.spool.folder);
   }
 

@@ -26,7 +26,7 @@ struct ModelProgress {
   std::size_t elements = 0;
 };
 
-/// Whether the vertices inside faces and the elements of a mesh are put on disk, face by face, when
+/// Whether the vertices inside faces and the elements of a mesh are put away, face by face, when
 /// these are done. The mesh has the same bits, and takes little more memory than the largest of its
 /// faces while they are meshed. Not for elements of second order, bounds on the distance from the
 /// model, elements across narrow places, and merged or periodic faces.
@@ -36,8 +36,14 @@ struct SpoolRequest {
     IfNeeded,  ///< if the mesh needs more memory than there is, but its faces one by one do not
     Always,
   };
+  enum class Where {
+    Disk,
+    Memory,  ///< packed, in a fifth of what they take otherwise; with a crew, of who has meshed
+             ///< them
+  };
   When when = When::Never;
-  std::filesystem::path folder;  ///< for a file without a name; empty: the current one
+  std::filesystem::path folder = {};  ///< for a file without a name; empty: the current one
+  Where where = Where::Disk;
 };
 
 struct MeshingOptions {

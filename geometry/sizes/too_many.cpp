@@ -20,6 +20,8 @@ namespace {
 constexpr double kBytesPerElement = 100;
 /// What is left of a face on disk: its boundary, and boxes for the checks.
 constexpr double kBytesPerSpooledElement = 4;
+/// Of a face that is put away in memory, beside that: docs/geometry.md, "Meshes on disk".
+constexpr double kBytesPerPackedElement = 18;
 /// On disk while the faces are there, at least: docs/geometry.md, "Meshes on disk".
 constexpr double kLeastOnDisk = 35;
 
@@ -30,7 +32,7 @@ double bytesFor(const std::vector<double>& elements, const MemoryLimit& limit) {
   std::ranges::sort(largest, std::greater());
   largest.resize(std::min(largest.size(), static_cast<std::size_t>(std::max(limit.threads, 1))));
   return kBytesPerElement * std::accumulate(largest.begin(), largest.end(), 0.0) +
-         kBytesPerSpooledElement * all;
+         (kBytesPerSpooledElement + (limit.isPacked ? kBytesPerPackedElement : 0)) * all;
 }
 
 std::string gigabytes(double bytes) { return textOf(bytes / 1e9, 3) + " GB"; }
@@ -74,10 +76,12 @@ void refuseTooMany(const std::vector<double>& byFace, const MemoryLimit& limit) 
   if (bytes <= most) return refuseOnDisk(needs, elements, limit);
   MemoryLimit onDisk = limit;
   onDisk.isSpooled = true;
+  onDisk.isPacked = false;
+  const bool isOnDisk = limit.isSpooled && !limit.isPacked;
   refuse(needs + ", which take about " + gigabytes(bytes) + " of memory" +
-             (limit.isSpooled ? " with all but the largest faces on disk" : "") + ", but " +
+             (isOnDisk ? " with all but the largest faces on disk" : "") + ", but " +
              gigabytes(most) + (limit.bytes > 0 ? " are allowed; " : " are free; "),
-         bytes / most, !limit.isSpooled && bytesFor(byFace, onDisk) <= most);
+         bytes / most, !isOnDisk && bytesFor(byFace, onDisk) <= most);
 }
 
 void refuseBlurred(double farthest, double extent, double size) {

@@ -27,9 +27,10 @@ class TooManyElements : public InputError {
 /// The memory that a mesh may take.
 struct MemoryLimit {
   double bytes = 0;                                         ///< 0: what is free
-  bool isSpooled = false;                                   ///< finished faces are put on disk
+  bool isSpooled = false;                                   ///< finished faces are put away
   int threads = 1;                                          ///< so many faces are in work at once
   double onDisk = std::numeric_limits<double>::infinity();  ///< bytes that are free there
+  bool isPacked = false;                                    ///< they are put away in memory
 };
 
 /// Throws TooManyElements if a mesh would have more elements than can be numbered, or than fit into

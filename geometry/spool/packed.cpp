@@ -50,7 +50,7 @@ Bytes packed(std::span<const Element> elements) {
   return bytes;
 }
 
-void unpack(const Bytes& bytes, std::span<Element> values) {
+void unpack(std::span<const std::uint8_t> bytes, std::span<Element> values) {
   const std::uint8_t* at = bytes.data();
   std::uint32_t before = 0;
   for (Element& element : values) {
@@ -79,7 +79,7 @@ Bytes packed(std::span<const ElementOrigin> origins) {
   return bytes;
 }
 
-void unpack(const Bytes& bytes, std::span<ElementOrigin> values) {
+void unpack(std::span<const std::uint8_t> bytes, std::span<ElementOrigin> values) {
   const std::uint8_t* at = bytes.data();
   std::vector<ElementOrigin> table;
   for (ElementOrigin& origin : values) {

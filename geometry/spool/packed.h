@@ -20,7 +20,7 @@ Bytes packed(std::span<const Element> elements);
 Bytes packed(std::span<const ElementOrigin> origins);
 
 /// What was packed: so many as `values` has room for.
-void unpack(const Bytes& bytes, std::span<Element> values);
-void unpack(const Bytes& bytes, std::span<ElementOrigin> values);
+void unpack(std::span<const std::uint8_t> bytes, std::span<Element> values);
+void unpack(std::span<const std::uint8_t> bytes, std::span<ElementOrigin> values);
 
 }  // namespace af2::geometry

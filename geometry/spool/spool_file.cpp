@@ -1,6 +1,7 @@
 #include "geometry/spool/spool_file.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -40,6 +41,10 @@ std::string spoolReason(int error) {
 
 SpoolFile::SpoolFile(fs::path folder)
     : folder_(folder.empty() ? fs::path(".") : std::move(folder)), descriptor_(openSpool(folder_)) {
+  if (descriptor_ < 0) fail("opening a file");
+}
+
+SpoolFile::SpoolFile() : folder_("memory"), descriptor_(::memfd_create("af2-spool", MFD_CLOEXEC)) {
   if (descriptor_ < 0) fail("opening a file");
 }
 

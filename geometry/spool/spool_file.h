@@ -1,4 +1,5 @@
-// A file for what shall not stay in memory. It has no name, so that it vanishes with the program.
+// A file for parts of a mesh in their packed form. It has no name, so that it vanishes with the
+// program.
 // Not installed.
 #pragma once
 
@@ -14,7 +15,10 @@ namespace af2::geometry {
 /// folder, if the file system reports an error.
 class SpoolFile {
  public:
+  /// On the disk of the folder.
   explicit SpoolFile(std::filesystem::path folder);
+  /// In memory.
+  SpoolFile();
   ~SpoolFile();
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;

@@ -1,6 +1,7 @@
 #include "geometry/spool/spooled_face.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "geometry/spool/packed.h"
@@ -11,67 +12,88 @@ namespace {
 
 static_assert(sizeof(Point3) == 24, "padding would go to disk");
 
-StoredFace::Counts countsOf(const SpooledFace::Content& content, std::size_t boundary) {
-  StoredFace::Counts counts{content.inside.size(), content.elements.size(), 0,
-                            std::vector<bool>(boundary, false)};
-  for (const Element& element : content.elements) {
-    counts.quads += element.isQuad();
-    for (const VertexId v : element.vertices())
-      if (v.value < boundary) counts.isUsed[v.value] = true;
-  }
-  return counts;
-}
-
 bool areAllTheSame(std::span<const double> values) {
   return std::ranges::all_of(values, [&](double value) { return value == values.front(); });
 }
 
+/// Copies values from bytes. Returns what follows them.
+template <class T>
+std::span<const std::uint8_t> take(std::span<const std::uint8_t> bytes, std::span<T> values) {
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size_bytes());
+  return bytes.subspan(values.size_bytes());
+}
+
 }  // namespace
+
+void StoredFace::takeShape(std::span<const std::uint8_t> bytes, FaceBulk& bulk) const {
+  bulk.inside.resize(counts_.inside);
+  bulk.elements.resize(counts_.elements);
+  unpack(take(bytes, std::span(bulk.inside)), bulk.elements);
+}
+
+FaceBulk StoredFace::loadShape() const {
+  FaceBulk bulk;
+  read(counts_.shapeBytes(), [&](std::span<const std::uint8_t> bytes) { takeShape(bytes, bulk); });
+  return bulk;
+}
+
+FaceBulk StoredFace::load() const {
+  FaceBulk bulk;
+  bulk.origins.resize(counts_.elements);
+  bulk.wantedSizes.resize(counts_.wantedSizes, counts_.size);
+  read(counts_.allBytes(), [&](std::span<const std::uint8_t> bytes) {
+    takeShape(bytes, bulk);
+    const auto rest = bytes.subspan(counts_.shapeBytes());
+    unpack(rest, bulk.origins);
+    take(rest.subspan(counts_.originBytes), std::span(bulk.wantedSizes).first(counts_.storedSizes));
+  });
+  return bulk;
+}
+
+struct SpooledFace::Packed {
+  Bytes elements, origins;
+  StoredCounts counts;
+
+  Packed(const Content& content, std::size_t boundary)
+      : elements(packed(content.elements)), origins(packed(content.origins)) {
+    counts.inside = content.inside.size();
+    counts.elements = content.elements.size();
+    counts.isUsed.assign(boundary, false);
+    for (const Element& element : content.elements) {
+      counts.quads += element.isQuad();
+      for (const VertexId v : element.vertices())
+        if (v.value < boundary) counts.isUsed[v.value] = true;
+    }
+    counts.elementBytes = elements.size();
+    counts.originBytes = origins.size();
+    counts.wantedSizes = content.wantedSizes.size();
+    if (counts.wantedSizes > 0) counts.size = content.wantedSizes.front();
+    if (!areAllTheSame(content.wantedSizes)) counts.storedSizes = counts.wantedSizes;
+  }
+};
 
 SpooledFace::SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content,
                          std::size_t boundary)
-    : StoredFace(countsOf(content, boundary)),
-      file_(std::move(file)),
-      sizes_(content.wantedSizes.size()),
-      size_(sizes_ > 0 ? content.wantedSizes.front() : 0),
-      sizesInFile_(areAllTheSame(content.wantedSizes) ? 0 : sizes_) {
-  const Bytes elements = packed(content.elements), origins = packed(content.origins);
-  elementBytes_ = elements.size();
-  originBytes_ = origins.size();
-  place_ = file_->reserve(content.inside.size_bytes() + elementBytes_ +
-                          sizesInFile_ * sizeof(double) + originBytes_);
+    : SpooledFace(std::move(file), content, Packed(content, boundary)) {}
+
+SpooledFace::SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content, Packed packed)
+    : StoredFace(std::move(packed.counts)), file_(std::move(file)) {
+  place_ = file_->reserve(counts().allBytes());
   std::uint64_t at = place_.begin;
   const auto put = [&](const auto& values) {
     file_->write(at, values);
     at += values.size_bytes();
   };
   put(content.inside);
-  put(std::span(elements));
-  put(content.wantedSizes.first(sizesInFile_));
-  put(std::span(origins));
+  put(std::span<const std::uint8_t>(packed.elements));
+  put(std::span<const std::uint8_t>(packed.origins));
+  put(content.wantedSizes.first(counts().storedSizes));
 }
 
-FaceBulk SpooledFace::loadShape() const {
-  FaceBulk bulk;
-  bulk.inside.resize(counts().inside);
-  file_->read(place_.begin, std::span(bulk.inside));
-  bulk.elements.resize(counts().elements);
-  Bytes elements(elementBytes_);
-  file_->read(place_.begin + counts().inside * sizeof(Point3), std::span(elements));
-  unpack(elements, bulk.elements);
-  return bulk;
-}
-
-FaceBulk SpooledFace::load() const {
-  FaceBulk bulk = loadShape();
-  const std::uint64_t sizes = place_.begin + counts().inside * sizeof(Point3) + elementBytes_;
-  bulk.wantedSizes.resize(sizes_, size_);
-  file_->read(sizes, std::span(bulk.wantedSizes).first(sizesInFile_));
-  bulk.origins.resize(counts().elements);
-  Bytes origins(originBytes_);
-  file_->read(sizes + sizesInFile_ * sizeof(double), std::span(origins));
-  unpack(origins, bulk.origins);
-  return bulk;
+void SpooledFace::read(std::size_t count, const UseBytes& use) const {
+  Bytes bytes(count);
+  file_->read(place_.begin, std::span(bytes));
+  use(bytes);
 }
 
 SpooledFloats::SpooledFloats(std::shared_ptr<SpoolFile> file, std::span<const float> values)

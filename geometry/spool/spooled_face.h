@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -24,29 +25,45 @@ struct FaceBulk {
   std::vector<ElementOrigin> origins;  ///< by element
 };
 
-/// The bulk of a face that is not in memory.
+/// What is known of a stored face without loading it: enough to make sense of its bytes. These are,
+/// in this order, the vertices inside, the elements and the origins (packed.h), and the sizes.
+struct StoredCounts {
+  std::size_t inside = 0, elements = 0, quads = 0;
+  /// By vertex of the boundary: whether an element has it.
+  std::vector<bool> isUsed = {};
+  std::size_t elementBytes = 0, originBytes = 0;
+  std::size_t wantedSizes = 0, storedSizes = 0;  ///< none is stored if all are `size`
+  double size = 0;
+
+  /// So many bytes hold the vertices and the elements, or everything.
+  std::size_t shapeBytes() const { return inside * sizeof(Point3) + elementBytes; }
+  std::size_t allBytes() const { return shapeBytes() + originBytes + storedSizes * sizeof(double); }
+};
+
+/// The bulk of a face that has been put away.
 class StoredFace {
  public:
-  /// What is known without loading it.
-  struct Counts {
-    std::size_t inside = 0, elements = 0, quads = 0;
-    /// By vertex of the boundary: whether an element has it.
-    std::vector<bool> isUsed = {};
-  };
-
-  explicit StoredFace(Counts counts) : counts_(std::move(counts)) {}
+  explicit StoredFace(StoredCounts counts) : counts_(std::move(counts)) {}
   virtual ~StoredFace() = default;
   StoredFace(const StoredFace&) = delete;
   StoredFace& operator=(const StoredFace&) = delete;
 
-  const Counts& counts() const { return counts_; }
+  const StoredCounts& counts() const { return counts_; }
   /// May be called from several threads at once. Throws InputError if it cannot be loaded.
-  virtual FaceBulk load() const = 0;
+  FaceBulk load() const;
   /// Only the vertices and the elements.
-  virtual FaceBulk loadShape() const = 0;
+  FaceBulk loadShape() const;
+
+  using UseBytes = std::function<void(std::span<const std::uint8_t>)>;
+  /// Calls `use` with the first bytes of the face.
+  virtual void read(std::size_t count, const UseBytes& use) const = 0;
+  /// The face will soon be loaded: gets it from far away already.
+  virtual void readAhead() const {}
 
  private:
-  Counts counts_;
+  void takeShape(std::span<const std::uint8_t> bytes, FaceBulk& bulk) const;
+
+  StoredCounts counts_;
 };
 
 /// The bulk of one face in a file. Its room is given back when the last owner is gone.
@@ -63,14 +80,13 @@ class SpooledFace final : public StoredFace {
   SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content, std::size_t boundary);
   ~SpooledFace() override { file_->release(place_); }
 
-  FaceBulk load() const override;
-  FaceBulk loadShape() const override;
+  void read(std::size_t count, const UseBytes& use) const override;
 
  private:
+  struct Packed;
+  SpooledFace(std::shared_ptr<SpoolFile> file, const Content& content, Packed packed);
+
   std::shared_ptr<SpoolFile> file_;
-  std::size_t elementBytes_, sizes_;
-  double size_;  ///< of all vertices inside, if none is in the file
-  std::size_t sizesInFile_, originBytes_;
   SpoolFile::Place place_;
 };
 

@@ -59,7 +59,19 @@ void SpooledMesh::visitPart(std::size_t i, const Shared& shared, const SliceVisi
 
 void SpooledMesh::visitAll(const Shared& shared, const SliceVisit& visit) const {
   visit({0, 0, shared.vertices, shared.wantedSizes, {}, {}, {}, {}});
-  for (std::size_t i = 0; i < parts_.size(); ++i) visitPart(i, shared, visit);
+  for (std::size_t i = 0, ahead = 0; i < parts_.size(); ++i) {
+    readAhead(i, ahead);
+    visitPart(i, shared, visit);
+  }
+}
+
+/// Has at least the next part read, and more if they are small.
+void SpooledMesh::readAhead(std::size_t part, std::size_t& ahead) const {
+  constexpr std::size_t kManyElements = 50'000;
+  ahead = std::max(ahead, part + 1);
+  const auto isFar = [&] { return firstElement_[ahead] > firstElement_[part + 1] + kManyElements; };
+  for (; ahead < parts_.size() && (ahead == part + 1 || !isFar()); ++ahead)
+    parts_[ahead].bulk->readAhead();
 }
 
 }  // namespace af2::geometry

@@ -53,6 +53,8 @@ class SpooledMesh {
   void visitAll(const Shared& shared, const SliceVisit& visit) const;
 
  private:
+  void readAhead(std::size_t part, std::size_t& ahead) const;
+
   std::vector<SpooledPart> parts_;
   std::shared_ptr<SpoolFile> file_;
   double scale_;

@@ -329,7 +329,7 @@ class Mesh:
             edges: line elements along all edges of the model, not only along those with boundary names.
 
         Raises:
-            InputError: the count is below 1, there are too many elements for METIS, or AF2 was built without it.
+            InputError: the count is below 1, or AF2 was built without METIS.
         """
         return divided(self._report, count, edges)
 

@@ -3,7 +3,8 @@
 
 #include "python/bindings/common.h"
 #ifdef AF2_HAVE_METIS
-#include "geometry/mpi/partition/cut_part.h"
+#include "geometry/mpi/partition/cut_parts.h"
+#include "geometry/mpi/partition/part_builder.h"
 #endif
 
 namespace af2::python {
@@ -75,10 +76,14 @@ py::list parts(const geometry::ModelMesh& mesh, int count, bool allLines) {
     const py::gil_scoped_release noGil;
     const auto lines =
         lineElements(mesh, allLines ? geometry::LinesAlong::AllEdges : geometry::LinesAlong());
-    const mpi::DividedMesh divided(mesh, mpi::divideMesh(mesh, count), count);
-    const std::vector<std::int32_t> owners = mpi::ownersOfLines(divided, lines);
-    for (int part = 0; part < count; ++part)
-      cut.push_back(mpi::cutPart(divided, lines, owners, part));
+    std::vector<mpi::PartBuilder> builders;
+    for (int part = 0; part < count; ++part) builders.emplace_back(part);
+    std::vector<mpi::PartEnd> ends =
+        cutParts(mesh, mpi::divideMesh(mesh, count), lines, [&](int part, mpi::PartPiece&& piece) {
+          builders[static_cast<std::size_t>(part)].take(piece);
+        });
+    for (std::size_t part = 0; part < builders.size(); ++part)
+      cut.push_back(builders[part].finish(std::move(ends[part])));
   }
   py::list all;
   for (OwnedPart& part : cut) {

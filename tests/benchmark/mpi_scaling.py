@@ -2,12 +2,13 @@
 
 How long af2-mpi would take on many ranks, simulated from what a run on one thread has cost:
 
-    af2 mesh MODEL --size S --threads 1 -q --report REPORT
+    af2 mesh MODEL --size S --threads 1 -q --stream -o mesh.msh2 --report REPORT
 
 The simulation plays what geometry/mpi/crew does. Each rank reads and prepares the model; rank 0 divides the edges and sends
 them through a tree. Whoever is free asks rank 0 for the next faces, the most work first; once all faces are begun,
 those who are free take pieces of large faces, for which they begin and cut the face, too. The owner of a face waits
-for its pieces and optimises along the cuts. All meshes go to rank 0, which joins, checks and writes them."""
+for its pieces and optimises along the cuts. Faces stay with those who have meshed them. Rank 0 is told what it needs to join
+and check them, and gets each several times to measure and write the mesh."""
 
 import argparse
 import heapq
@@ -15,8 +16,8 @@ import json
 import math
 
 PIECE_ELEMENTS = 80000  # SplitOptions::pieceElements
-BYTES_OF_ELEMENT = 45  # in a message: half a vertex with its size, four corners, the rule
-TAKEN_PER_SECOND = 1.5e9  # bytes of messages that rank 0 turns into meshes
+BYTES_OF_ELEMENT = 1.4  # in what rank 0 is told of a face: its boundary, boxes for the checks
+FETCHED_BYTES = 10 * 17.5  # for each element: so many times, its vertices, corners and rule in their packed form
 SHARE = 1 / 3  # TaskBoard::nextTries
 EDGES_BYTES = 1e6
 
@@ -110,8 +111,7 @@ class Simulation:
 
     def send(self, time, elements):
         if self.ranks > 1:
-            seconds = elements * BYTES_OF_ELEMENT * (1 / options.bandwidth + 1 / TAKEN_PER_SECOND)
-            self.inbox = max(self.inbox, time) + seconds
+            self.inbox = max(self.inbox, time) + elements * BYTES_OF_ELEMENT / options.bandwidth
         self.end = max(self.end, self.inbox, time)
         return time
 
@@ -130,10 +130,11 @@ print(f"{sum(face.elements for face in faces()):,} elements on {len(faces())} fa
 print(f"The largest face takes {largest.seconds:.2f} s, in pieces of {largest.piece:.2f} s ({largest.pieces}).")
 print("\n| ranks | faces, s | run, s | speed-up of the faces | of the run |\n|---:|---:|---:|---:|---:|")
 rest = stages["read"] + stages["edges"] + joining + stages["write"]
+fetching = sum(face.elements for face in faces()) * FETCHED_BYTES / options.bandwidth
 alone = None
 for ranks in map(int, options.ranks.split(",")):
     tree = math.ceil(math.log2(ranks)) * (options.latency + EDGES_BYTES / options.bandwidth)
     meshing = Simulation(faces(), ranks).run()
-    run = meshing + rest + tree
+    run = meshing + rest + tree + fetching * (1 - 1 / ranks)
     alone = alone or (meshing, run)
     print(f"| {ranks} | {meshing:.2f} | {run:.2f} | {alone[0] / meshing:.1f} | {alone[1] / run:.1f} |")

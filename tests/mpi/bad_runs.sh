@@ -44,8 +44,8 @@ sleep 1
 pgrep -f "^$mpi .*-o killed.vtu" && fail "processes were left behind"
 
 # One that has not enough memory.
-expect 1 timeout 100 mpirun --oversubscribe -n 1 "$mpi" "$models/die.step" --size 0.02 -o less.vtu : \
-  -n 1 bash -c "ulimit -v 400000; exec '$mpi' '$models/die.step' --size 0.02 -o less.vtu"
+expect 1 timeout 100 mpirun --oversubscribe -n 1 "$mpi" "$models/die.step" --size 0.01 -o less.vtu : \
+  -n 1 bash -c "ulimit -v 400000; exec '$mpi' '$models/die.step' --size 0.01 -o less.vtu"
 told "there is not enough memory"
 [ -e less.vtu ] && fail "a file was written without a process"
 finish

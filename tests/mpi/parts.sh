@@ -9,6 +9,16 @@ for options in "$models/die.step --size 1" "$models/cylinder.step --size 0.6 --e
   expect 0 on 3 $options -q --parts parts.msh
   expect 0 /usr/bin/python3 "$here/parts.py" 3 "$options"
 done
+# The same parts, whether the mesh is in the memory of the first process, in that of all, or on their disks.
+for model in "$models/die.step --size 1" "$models/plate.poly --size 0.015"; do
+  expect 0 on 3 $model -q --parts kept.msh
+  expect 0 on 3 $model -q --parts whole.msh -o whole.inp
+  expect 0 on 3 $model -q --parts disk.msh --stream
+  for part in 1 2 3; do
+    same kept_$part.msh whole_$part.msh
+    same kept_$part.msh disk_$part.msh
+  done
+done
 # Gmsh reads them one by one; to read all, with ghosts, is more than its version 4.8 can do with its own.
 if command -v gmsh >/dev/null; then
   for part in 1 2 3; do

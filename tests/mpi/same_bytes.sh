@@ -16,28 +16,29 @@ alike() {
   done
 }
 
-# streamed RANKS... -- OPTION...: the same with faces on the disks of those who have meshed them.
-streamed() {
+# apart RANKS... -- OPTION...: the same with faces in the memory of those who have meshed them, and on their disks.
+apart() {
   local counts=()
   while [ "$1" != -- ]; do counts+=("$1"); shift; done
   shift
   "$af2" mesh "$@" -q -o one.vtu -o one.msh2 --report one.json >out 2>err </dev/null
   local code=$?
   for ranks in "${counts[@]}"; do
-    expect $code on "$ranks" "$@" -q --stream -o two.vtu -o two.msh2 --report two.json
-    same one.vtu two.vtu
-    same one.msh2 two.msh2
-    [ "$(json one.json fingerprint)" = "$(json two.json fingerprint)" ] || fail "the reports differ: $*"
+    for where in "" --stream; do
+      expect $code on "$ranks" "$@" -q $where -o two.vtu -o two.msh2 --report two.json
+      same one.vtu two.vtu
+      same one.msh2 two.msh2
+      [ "$(json one.json fingerprint)" = "$(json two.json fingerprint)" ] || fail "the reports differ: $*"
+    done
   done
 }
 
 alike 1 2 3 5 8 -- "$models/die.step" --size 1
-streamed 1 2 3 5 8 -- "$models/die.step" --size 1
-streamed 3 -- "$models/die.step" --size 1 --threads 3
-streamed 1 2 3 -- "$models/plate.poly" --size 0.015
-streamed 3 -- "$models/hills.brep" --size 1.5 --curvature 24
-streamed 3 -- "$models/die.step" --size 6 --strict-rules
-expect 2 on 2 "$models/die.step" --size 1 --stream --parts parts.pvtu; told '--parts'
+apart 1 2 3 5 8 -- "$models/die.step" --size 1
+apart 3 -- "$models/die.step" --size 1 --threads 3
+apart 1 2 3 -- "$models/plate.poly" --size 0.015
+apart 3 -- "$models/hills.brep" --size 1.5 --curvature 24
+apart 3 -- "$models/die.step" --size 6 --strict-rules
 alike 3 -- "$models/die.step" --size 1 --threads 3
 alike 2 -- "$models/plate.poly" --size 0.1 --layers @1=0.02,1.3,3
 # A face that is cut into pieces, which all processes mesh.

@@ -46,12 +46,19 @@ void pass(auto& archive, mpi::Is<FaceDiagnosis> auto& diagnosis) {
   archive(places, poorness, isBad, hasBadAngle, hasWrongArea);
 }
 
-/// What is on the disk of a process stays there: kept_faces.h.
+/// What a process has put away stays there: kept_faces.h.
 void pass(auto& archive, mpi::Is<FaceMesh> auto& mesh) {
   auto& [report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
          optimizeSeconds, diagnosis, history, searchCost, bulk, evidence] = mesh;
   archive(report, boundary, inside, wantedSizes, elements, origins, middles, uses, hasVanished,
           optimizeSeconds, diagnosis, history, searchCost);
+}
+
+void pass(auto& archive, mpi::Is<StoredCounts> auto& stored) {
+  auto& [inside, elements, quads, isUsed, elementBytes, originBytes, wantedSizes, storedSizes,
+         size] = stored;
+  archive(inside, elements, quads, isUsed, elementBytes, originBytes, wantedSizes, storedSizes,
+          size);
 }
 
 void pass(auto& archive, mpi::Is<MeshFinding> auto& finding) {
@@ -101,8 +108,8 @@ void pass(auto& archive, mpi::Is<ChordBounds> auto& bounds) {
 }
 
 void pass(auto& archive, mpi::Is<RunChange> auto& change) {
-  auto& [faces, sources, chords, optimize, evenLoops, hasLayers, order] = change;
-  archive(faces, sources, chords, optimize, evenLoops, hasLayers, order);
+  auto& [faces, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces, keptIn] = change;
+  archive(faces, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces, keptIn);
 }
 
 }  // namespace af2::geometry
@@ -110,8 +117,8 @@ void pass(auto& archive, mpi::Is<RunChange> auto& change) {
 namespace af2::mpi {
 
 void pass(auto& archive, Is<KeptFace> auto& face) {
-  auto& [number, inside, elements, quads, isUsed, evidence] = face;
-  archive(number, inside, elements, quads, isUsed, evidence);
+  auto& [number, counts, evidence] = face;
+  archive(number, counts, evidence);
 }
 
 }  // namespace af2::mpi

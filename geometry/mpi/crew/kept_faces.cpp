@@ -1,5 +1,6 @@
 #include "geometry/mpi/crew/kept_faces.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,11 +22,7 @@ KeptFaces::KeptFaces(Post& post) : post_(post) {
 std::vector<KeptFace> KeptFaces::keep(FaceMesh& mesh) {
   if (!mesh.bulk) return {};
   std::vector<KeptFace> kept(1);
-  const StoredFace::Counts& counts = mesh.bulk->counts();
-  kept[0].inside = counts.inside;
-  kept[0].elements = counts.elements;
-  kept[0].quads = counts.quads;
-  kept[0].isUsed.assign(counts.isUsed.begin(), counts.isUsed.end());
+  kept[0].counts = mesh.bulk->counts();
   kept[0].evidence = *mesh.evidence;
   const std::lock_guard lock(mutex_);
   kept[0].number = ++last_;
@@ -37,7 +34,7 @@ std::vector<KeptFace> KeptFaces::keep(FaceMesh& mesh) {
 void KeptFaces::answer(const Letter& letter) {
   ByteReader reader(letter.bytes);
   const auto number = reader.take<std::uint64_t>();
-  const auto isShape = reader.take<bool>();
+  const auto count = reader.take<std::uint64_t>();
   const auto call = reader.take<std::uint64_t>();
   std::shared_ptr<const StoredFace> face;
   {
@@ -47,8 +44,12 @@ void KeptFaces::answer(const Letter& letter) {
   Bytes bytes;
   try {
     if (!face) throw InternalError("a face is asked for that is not kept");
-    const FaceBulk bulk = isShape ? face->loadShape() : face->load();
-    bytes = bytesOf(std::string(), bulk.inside, bulk.wantedSizes, bulk.elements, bulk.origins);
+    face->read(count, [&](std::span<const std::uint8_t> some) {
+      ByteWriter writer;
+      writer(std::string());
+      writer.append(some.data(), some.size());
+      bytes = writer.take();
+    });
   } catch (const std::exception& error) {
     bytes = bytesOf(post_.name() + ": " + error.what());
   }
@@ -57,35 +58,52 @@ void KeptFaces::answer(const Letter& letter) {
 
 class FaceFetcher::RemoteFace final : public StoredFace {
  public:
-  RemoteFace(FaceFetcher& fetcher, int process, std::uint64_t number, Counts counts)
+  RemoteFace(FaceFetcher& fetcher, int process, std::uint64_t number, StoredCounts counts)
       : StoredFace(std::move(counts)), fetcher_(fetcher), process_(process), number_(number) {}
   ~RemoteFace() override { fetcher_.post_.send(process_, kForget, bytesOf(number_)); }
 
-  FaceBulk load() const override { return fetcher_.fetch(process_, number_, false); }
-  FaceBulk loadShape() const override { return fetcher_.fetch(process_, number_, true); }
+  void read(std::size_t count, const UseBytes& use) const override {
+    const std::optional<std::uint64_t> ahead = takeAhead();
+    fetcher_.answer(ahead ? *ahead : fetcher_.call(process_, number_, count),
+                    [&](std::span<const std::uint8_t> bytes) { use(bytes.first(count)); });
+  }
+  void readAhead() const override {
+    const std::lock_guard lock(mutex_);
+    if (!ahead_) ahead_ = fetcher_.call(process_, number_, counts().allBytes());
+  }
 
  private:
+  std::optional<std::uint64_t> takeAhead() const {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(ahead_, std::nullopt);
+  }
+
   FaceFetcher& fetcher_;
   int process_;
   std::uint64_t number_;
+  mutable std::mutex mutex_;
+  mutable std::optional<std::uint64_t> ahead_;  ///< the call that asks for all
 };
 
 void FaceFetcher::attach(int process, std::vector<KeptFace> kept, FaceMesh& mesh) {
   if (kept.empty()) return;
   KeptFace& face = kept.front();
-  StoredFace::Counts counts{face.inside, face.elements, face.quads,
-                            std::vector<bool>(face.isUsed.begin(), face.isUsed.end())};
   mesh.evidence = std::make_shared<const FaceEvidence>(std::move(face.evidence));
-  mesh.bulk = std::make_shared<const RemoteFace>(*this, process, face.number, std::move(counts));
+  mesh.bulk =
+      std::make_shared<const RemoteFace>(*this, process, face.number, std::move(face.counts));
 }
 
-FaceBulk FaceFetcher::fetch(int process, std::uint64_t number, bool isShape) {
+std::uint64_t FaceFetcher::call(int process, std::uint64_t number, std::uint64_t count) {
   std::uint64_t call = 0;
   {
     const std::lock_guard lock(mutex_);
     while (!calls_.insert(call).second) ++call;
   }
-  post_.send(process, kFetch, bytesOf(number, isShape, call));
+  post_.send(process, kFetch, bytesOf(number, count, call));
+  return call;
+}
+
+void FaceFetcher::answer(std::uint64_t call, const StoredFace::UseBytes& use) {
   const Letter letter = post_.receive(fetchedBy(call));
   {
     const std::lock_guard lock(mutex_);
@@ -93,9 +111,8 @@ FaceBulk FaceFetcher::fetch(int process, std::uint64_t number, bool isShape) {
   }
   ByteReader reader(letter.bytes);
   if (const auto fault = reader.take<std::string>(); !fault.empty()) throw InputError(fault);
-  FaceBulk bulk;
-  reader(bulk.inside, bulk.wantedSizes, bulk.elements, bulk.origins);
-  return bulk;
+  const std::span<const std::byte> bytes = reader.rest();
+  use({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace af2::mpi

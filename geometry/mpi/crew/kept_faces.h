@@ -1,4 +1,4 @@
-// Faces that stay on the disk of the process that has meshed them.
+// Faces that stay with the process that has meshed them.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,7 @@ namespace af2::mpi {
 /// What the leader is told of such a face.
 struct KeptFace {
   std::uint64_t number = 0;  ///< in the process that keeps it
-  std::uint64_t inside = 0, elements = 0, quads = 0;
-  std::vector<std::uint8_t> isUsed;  ///< by vertex of the boundary
+  geometry::StoredCounts counts;
   geometry::FaceEvidence evidence;
 };
 
@@ -27,8 +26,8 @@ class KeptFaces {
  public:
   explicit KeptFaces(Post& post);
 
-  /// Keeps the bulk of a face if it is on disk. Returns what to tell the leader; nothing if it is
-  /// in memory.
+  /// Keeps the bulk of a face if it has been put away. Returns what to tell the leader; nothing if
+  /// it has not.
   std::vector<KeptFace> keep(geometry::FaceMesh& mesh);
 
  private:
@@ -50,8 +49,10 @@ class FaceFetcher {
 
  private:
   class RemoteFace;
-  /// isShape  only the vertices and elements
-  geometry::FaceBulk fetch(int process, std::uint64_t number, bool isShape);
+  /// Asks for the first bytes of a face. Returns the number of the call.
+  std::uint64_t call(int process, std::uint64_t number, std::uint64_t count);
+  /// Waits for them. Throws InputError if the other process cannot read them.
+  void answer(std::uint64_t call, const geometry::StoredFace::UseBytes& use);
 
   Post& post_;
   std::mutex mutex_;

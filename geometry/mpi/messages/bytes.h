@@ -36,16 +36,17 @@ class ByteWriter {
   void operator()(const T&... values) {
     (put(values), ...);
   }
-  Bytes take() { return std::move(bytes_); }
-  std::size_t size() const { return bytes_.size(); }
-
- private:
+  /// Without their number, for what comes last.
   void append(const void* data, std::size_t size) {
     if (size == 0) return;
     const std::size_t at = bytes_.size();
     bytes_.resize(at + size);
     std::memcpy(bytes_.data() + at, data, size);
   }
+  Bytes take() { return std::move(bytes_); }
+  std::size_t size() const { return bytes_.size(); }
+
+ private:
   template <class T>
   void put(const T& value) {
     if constexpr (Plain<T>)
@@ -60,6 +61,9 @@ class ByteWriter {
       append(values.data(), values.size() * sizeof(T));
     else
       for (const T& value : values) put(value);
+  }
+  void put(const std::vector<bool>& flags) {
+    put(std::vector<std::uint8_t>(flags.begin(), flags.end()));
   }
   void put(const std::string& text) {
     put(std::uint64_t{text.size()});
@@ -125,6 +129,11 @@ class ByteReader {
       copy(values.data(), size * sizeof(T));
     else
       for (T& value : values) get(value);
+  }
+  void get(std::vector<bool>& flags) {
+    std::vector<std::uint8_t> values;
+    get(values);
+    flags.assign(values.begin(), values.end());
   }
   void get(std::string& text) {
     text.resize(count());

@@ -141,19 +141,25 @@ void Post::run() {
 
 /// Until all processes have sent what they had to send: others may still want answers.
 void Post::exchangeLetters() {
+  using Clock = std::chrono::steady_clock;
   Outgoing outgoing{comm_};
   MPI_Request allAreReady = MPI_REQUEST_NULL;
   bool isReady = false;
-  for (int idleRounds = 0;; ++idleRounds) {
+  for (Clock::time_point last = Clock::now();;) {
     const bool hasSent = sendParcels(outgoing), hasTaken = takeLetter();
-    if (hasSent || hasTaken) idleRounds = 0;
+    const Clock::time_point now = Clock::now();
+    if (hasSent || hasTaken) last = now;
     if (outgoing.all.empty() && isClosing()) {
       if (!std::exchange(isReady, true)) MPI_Ibarrier(comm_, &allAreReady);
       int areReady = 0;
       MPI_Test(&allAreReady, &areReady, MPI_STATUS_IGNORE);
       if (areReady != 0) return;
     }
-    rest(idleRounds, !outgoing.all.empty() || isReady);
+    // MPI may send a long letter piece by piece, and each must be seen to.
+    if (!outgoing.all.empty())
+      std::this_thread::yield();
+    else
+      rest(std::chrono::duration_cast<std::chrono::microseconds>(now - last), isReady);
   }
 }
 
@@ -214,16 +220,16 @@ void Post::passOn(const Letter& letter) {
   toSend_.notify_one();
 }
 
-/// Looking for letters takes processor time, which the threads that mesh need.
-void Post::rest(int idleRounds, bool isWaiting) {
-  constexpr int kRoundsAtOnce = 4;
-  constexpr std::chrono::microseconds kShortest(10), kLongest(1000);
-  if (idleRounds < kRoundsAtOnce) return;
+/// Looking for letters takes processor time, which the threads that mesh need. So a letter may wait
+/// for a part of the time in which none came.
+void Post::rest(std::chrono::microseconds idle, bool isWaiting) {
+  constexpr int kPart = 8;
+  constexpr std::chrono::microseconds kShortest(5), kLongest(1000);
+  if (idle < kPart * kShortest) return std::this_thread::yield();
   std::unique_lock lock(mutex_);
   const auto isNeeded = [&] { return !parcels_.empty() || (isClosing_ && !isWaiting); };
   if (ranks_ == 1 && !isWaiting) return toSend_.wait(lock, isNeeded);
-  const auto time = kShortest * (1 << std::min(idleRounds - kRoundsAtOnce, 7));
-  toSend_.wait_for(lock, std::min<std::chrono::microseconds>(time, kLongest), isNeeded);
+  toSend_.wait_for(lock, std::min(idle / kPart, kLongest), isNeeded);
 }
 
 bool Post::isClosing() {

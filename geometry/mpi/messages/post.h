@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -68,7 +69,7 @@ class Post {
   bool takeLetter();
   void take(Letter letter, bool isForAll);
   void passOn(const Letter& letter);
-  void rest(int idleRounds, bool isWaiting);
+  void rest(std::chrono::microseconds idle, bool isWaiting);
   bool isClosing();
 
   MPI_Comm comm_ = MPI_COMM_NULL;

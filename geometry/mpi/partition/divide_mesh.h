@@ -1,52 +1,52 @@
-// Which process owns which element and vertex of a mesh.
+// Divides a mesh into parts, without having all of it in memory.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/mesh/model_mesh.h"
+#include "geometry/mpi/partition/patch_tree.h"
 
 namespace af2::mpi {
 
-/// By element: the part, from 0. Parts have about the same number of elements and short borders.
-/// The same mesh is divided in the same way each time.
-///
-/// Throws InputError if the mesh has too many elements for METIS.
-std::vector<std::int32_t> divideMesh(const geometry::ModelMesh& mesh, int parts);
+/// The part of each element, and the parts at each vertex that several faces may have.
+struct MeshDivision {
+  int parts = 1;
+  /// The patches of the elements of one face, by their middles.
+  struct FacePatches {
+    PatchTree tree;
+    std::uint32_t first = 0;  ///< the number of its first patch in the mesh
+  };
+  std::vector<FacePatches> faces;         ///< by item of elementsByFace
+  std::vector<std::int32_t> partOfPatch;  ///< by number of the patch in the mesh
 
-/// The mesh with its owners, and with the elements at each vertex.
-class DividedMesh {
- public:
-  /// mesh  must live as long as this
-  DividedMesh(const geometry::ModelMesh& mesh, std::vector<std::int32_t> elementOwners, int parts);
+  /// Those at vertex v < insideFrom, ascending: partsAt[begin[v]] to before partsAt[begin[v + 1]].
+  /// Vertices from `insideFrom` on belong to one face only.
+  std::uint32_t insideFrom = 0;
+  std::vector<std::size_t> begin{0};
+  std::vector<std::int32_t> partsAt;
 
-  const geometry::ModelMesh& mesh() const { return mesh_; }
-  int parts() const { return static_cast<int>(elementsOf_.size()); }
-  const std::vector<std::uint32_t>& elementsOf(int part) const {
-    return elementsOf_[static_cast<std::size_t>(part)];
+  std::span<const std::int32_t> partsAtVertex(std::uint32_t v) const {
+    return std::span(partsAt).subspan(begin[v], begin[v + 1] - begin[v]);
   }
-  std::int32_t ownerOfElement(std::uint32_t element) const { return elementOwners_[element]; }
-  std::int32_t ownerOfVertex(std::uint32_t vertex) const { return vertexOwners_[vertex]; }
-  /// Consecutive for each part.
-  std::uint64_t numberOfElement(std::uint32_t element) const { return elementNumbers_[element]; }
-  std::uint64_t numberOfVertex(std::uint32_t vertex) const { return vertexNumbers_[vertex]; }
-
-  /// Calls visit(e) for each element at a corner of the given one, itself among them; some twice.
-  void forEachBeside(std::uint32_t element, const auto& visit) const {
-    for (const VertexId v : mesh_.elements[element].vertices())
-      for (std::size_t i = begin_[v.value]; i < begin_[v.value + 1]; ++i) visit(around_[i]);
-  }
-
- private:
-  void findElementsAround();
-  void findOwnersOfVertices();
-
-  const geometry::ModelMesh& mesh_;
-  std::vector<std::int32_t> elementOwners_, vertexOwners_;
-  std::vector<std::vector<std::uint32_t>> elementsOf_;
-  std::vector<std::uint64_t> elementNumbers_, vertexNumbers_;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> around_;  ///< elements, by vertex
 };
+
+/// The mean of the corners of an element of a slice.
+Point3 middleOf(const geometry::MeshSlice& slice, std::size_t element);
+
+/// Calls visit(v) for the vertices of an element: its corners, and the middles of its sides if it
+/// is of second order.
+void forEachVertexOf(const geometry::ModelMesh& mesh, const geometry::MeshSlice& slice,
+                     std::size_t element, const auto& visit) {
+  const auto corners = slice.elements[element].vertices();
+  for (const VertexId v : corners) visit(v.value);
+  for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
+    visit(mesh.midsides[slice.firstElement + element][i].value);
+}
+
+/// Divides the faces into patches, and the graph of the patches by METIS. Parts have about the same
+/// number of elements and short borders. The same mesh is divided in the same way each time.
+MeshDivision divideMesh(const geometry::ModelMesh& mesh, int parts);
 
 }  // namespace af2::mpi

@@ -69,9 +69,8 @@ struct OwnedPart {
 };
 
 /// Divides a mesh into as many parts as the crew has processes, by METIS, and gives each process
-/// its own. All processes call it; the mesh counts on rank 0 only.
-///
-/// Throws InputError if the mesh has too many elements for METIS.
+/// its own. All processes call it; the mesh counts on rank 0 only. A mesh that is not in memory
+/// (ModelMesh::spooled) is loaded face by face.
 OwnedPart distribute(Crew& crew, const geometry::ModelMesh& mesh, geometry::LinesAlong lines);
 
 }  // namespace af2::mpi

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/mpi/messages/bytes.h"
-#include "geometry/mpi/partition/owned_part.h"
+#include "geometry/mpi/partition/part_piece.h"
 
 namespace af2::mpi {
 
@@ -21,13 +21,14 @@ void pass(auto& archive, Is<PartLabels> auto& labels) {
   archive(faces, edges, names);
 }
 
-void pass(auto& archive, Is<OwnedPart> auto& part) {
-  auto& [process, processes, allVertices, allElements, allLines, vertices, ownedVertices, vertexIds,
-         vertexNumbers, vertexOwners, elements, ownedElements, elementIds, elementNumbers,
-         elementOwners, face, midsides, ghostsBegin, ghostsOf, lines, labels] = part;
-  archive(process, processes, allVertices, allElements, allLines, vertices, ownedVertices,
-          vertexIds, vertexNumbers, vertexOwners, elements, ownedElements, elementIds,
-          elementNumbers, elementOwners, face, midsides, ghostsBegin, ghostsOf, lines, labels);
+void pass(auto& archive, Is<PartPiece> auto& piece) {
+  auto& [face, vertices, elements, ghostCounts, ghostsOf] = piece;
+  archive(face, vertices, elements, ghostCounts, ghostsOf);
+}
+
+void pass(auto& archive, Is<PartEnd> auto& end) {
+  auto& [vertices, elements, allLines, lines, labels] = end;
+  archive(vertices, elements, allLines, lines, labels);
 }
 
 }  // namespace af2::mpi

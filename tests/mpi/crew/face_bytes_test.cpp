@@ -53,10 +53,10 @@ TEST(FaceBytes, GiveTheSameMeshBackBitForBit) {
 TEST(FaceBytes, GiveWhatTheChecksNeedBackBitForBit) {
   KeptFace face;
   face.number = 5;
-  face.inside = 1;
-  face.elements = 3;
-  face.quads = 2;
-  face.isUsed = {1, 0, 1};
+  face.counts.inside = 1;
+  face.counts.elements = 3;
+  face.counts.quads = 2;
+  face.counts.isUsed = {true, false, true};
   face.evidence.findings = {{7, "an element has no area", {1, 2, 3}}};
   face.evidence.area = 0.125;
   face.evidence.isSoundInside = false;
@@ -70,7 +70,7 @@ TEST(FaceBytes, GiveWhatTheChecksNeedBackBitForBit) {
   face.evidence.isStarShaped = true;
   const KeptFace copy = again(face);
   EXPECT_EQ(bytesOf(copy), bytesOf(face));
-  EXPECT_EQ(copy.isUsed, face.isUsed);
+  EXPECT_EQ(copy.counts.isUsed, face.counts.isUsed);
   EXPECT_EQ(copy.evidence.findings, face.evidence.findings);
   EXPECT_EQ(copy.evidence.atBoundary, face.evidence.atBoundary);
   EXPECT_EQ(copy.evidence.patch.sides, face.evidence.patch.sides);
