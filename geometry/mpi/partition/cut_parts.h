@@ -13,8 +13,8 @@ namespace af2::mpi {
 
 using TakePiece = std::function<void(int part, PartPiece&& piece)>;
 
-/// Calls `take` with the pieces of each part in the order of their elements. Returns, by part, what is
-/// left to tell; without labels.
+/// Calls `take` with the pieces of each part in the order of their elements. Returns, by part, what
+/// is left to tell; without labels.
 ///
 /// lines  sides of elements
 std::vector<PartEnd> cutParts(const geometry::ModelMesh& mesh, const MeshDivision& division,

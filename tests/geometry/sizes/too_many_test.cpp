@@ -76,6 +76,25 @@ TEST(TooMany, TellsIfItFitsWithFacesOnDisk) {
   EXPECT_FALSE(fitSpooled({3e7}, {2e9, false, 1}));
 }
 
+/// Finished faces take 18 bytes for each element there, and 4 more for the checks.
+TEST(TooMany, IsWhatDoesNotFitIntoMemoryPacked) {
+  const std::vector<double> elements(10, 1e7);
+  const auto packedIn = [](double bytes) {
+    MemoryLimit limit{bytes, true, 1};
+    limit.isPacked = true;
+    return limit;
+  };
+  EXPECT_NO_THROW(refuseTooMany(elements, packedIn(3.3e9)));
+  try {
+    refuseTooMany(elements, packedIn(3.1e9));
+    FAIL() << "accepted";
+  } catch (const TooManyElements& error) {
+    EXPECT_TRUE(error.fitSpooled());
+    EXPECT_NE(std::string(error.what()).find("about 3.2 GB of memory"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(TooMany, IsNothingSmallUnlessTheUserAllowsLess) {
   EXPECT_EQ(refusal(1e5, 0), "");
   EXPECT_NE(refusal(1e5, 1e6), "");
