@@ -30,8 +30,9 @@ void writeCells(const ModelMesh& mesh, Lines lines, OutputFile& file) {
     for (const VertexId vertex : {line.from, line.to}) file.bigEndian(vertex.value);
   }
   sectionHead(file, "\nCELL_TYPES", cells, "\n");
-  forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {
-    file.bigEndian(std::int32_t{slice.elements[i].isQuad() ? kVtkQuad : kVtkTriangle});
+  forEachRun(mesh, [&](const ElementRun& run) {
+    for (std::size_t i = 0; i < run.count; ++i)
+      file.bigEndian(std::int32_t{run.areQuads ? kVtkQuad : kVtkTriangle});
   });
   for (std::size_t i = 0; i < lines.size(); ++i) file.bigEndian(std::int32_t{kVtkLine});
 }
@@ -44,8 +45,7 @@ void writeCellData(const ModelMesh& mesh, Lines lines, OutputFile& file) {
     for (std::size_t i = 0; i < times; ++i) file.bigEndian(value);
   };
   sectionHead(file, "face 1", count, " int\n");
-  forEachElement(mesh,
-                 [&](const MeshSlice& slice, std::size_t i) { file.bigEndian(slice.face(i)); });
+  forEachRun(mesh, [&](const ElementRun& run) { repeat(run.count, run.face); });
   repeat(lines.size(), kFaceOfLine);
   sectionHead(file, "\nrule 1", count, " int\n");
   forEachElement(mesh, [&](const MeshSlice& slice, std::size_t i) {

@@ -145,18 +145,17 @@ void writeXmlCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   });
   dataArray(file, {"Int64", "offsets"}, cells * 8, [&](auto& out) {
     std::int64_t end = 0;
-    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
-      out.put(end += perCorner * slice.elements[e].size());
+    forEachRun(mesh, [&](const ElementRun& run) {
+      const int corners = run.areQuads ? 4 : 3;
+      for (std::size_t i = 0; i < run.count; ++i) out.put(end += perCorner * corners);
     });
     for (std::size_t i = 0; i < lines.size(); ++i) out.put(end += perLine);
   });
   dataArray(file, {"UInt8", "types"}, cells, [&](auto& out) {
-    forEachElement(mesh, [&](const MeshSlice& slice, std::size_t e) {
-      const bool isQuad = slice.elements[e].isQuad();
-      if (isSecondOrder)
-        out.put(isQuad ? kVtkQuad2 : kVtkTriangle2);
-      else
-        out.put(isQuad ? kVtkQuad : kVtkTriangle);
+    forEachRun(mesh, [&](const ElementRun& run) {
+      const auto type = isSecondOrder ? (run.areQuads ? kVtkQuad2 : kVtkTriangle2)
+                                      : (run.areQuads ? kVtkQuad : kVtkTriangle);
+      for (std::size_t i = 0; i < run.count; ++i) out.put(type);
     });
     for (std::size_t i = 0; i < lines.size(); ++i) out.put(isSecondOrder ? kVtkLine2 : kVtkLine);
   });
@@ -199,6 +198,20 @@ void cellArray(XmlOutput& file, const ArrayHead& head, const ModelMesh& mesh, Li
   });
 }
 
+/// The same for values of elements that depend on their face only.
+template <class OfFace, class OfLine>
+void faceArray(XmlOutput& file, const ArrayHead& head, const ModelMesh& mesh, Lines lines,
+               OfFace ofFace, OfLine ofLine) {
+  const std::size_t bytes = sizeof(ofFace(std::int32_t{}));
+  dataArray(file, head, (elementCount(mesh) + lines.size()) * bytes, [&](auto& out) {
+    forEachRun(mesh, [&](const ElementRun& run) {
+      const auto value = ofFace(run.face);
+      for (std::size_t i = 0; i < run.count; ++i) out.put(value);
+    });
+    for (const LineElement& line : lines) out.put(ofLine(line));
+  });
+}
+
 /// For looking at: the solid of each element, and its colour. A face between two solids is shown
 /// with the first one; the fields have it in both.
 void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
@@ -208,11 +221,9 @@ void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   };
   const std::map<std::int32_t, int> solids = firstGroups(mesh, GroupKind::Solid);
   if (!solids.empty())
-    cellArray(
+    faceArray(
         file, {"Int32", "solid"}, mesh, lines,
-        [&](const MeshSlice& slice, std::size_t e) {
-          return std::int32_t{groupAt(solids, slice.face(e))};
-        },
+        [&](std::int32_t face) { return std::int32_t{groupAt(solids, face)}; },
         [](const LineElement&) { return std::int32_t{0}; });
   const std::map<std::int32_t, int> colors = firstGroups(mesh, GroupKind::Color);
   if (colors.empty()) return;
@@ -224,19 +235,16 @@ void writeGroupsOfCells(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
     values.push_back({static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
                       static_cast<std::uint8_t>(rgb)});
   }
-  cellArray(
+  faceArray(
       file, {"UInt8", "color", 3}, mesh, lines,
-      [&](const MeshSlice& slice, std::size_t e) {
-        return values[static_cast<std::size_t>(groupAt(colors, slice.face(e)))];
-      },
+      [&](std::int32_t face) { return values[static_cast<std::size_t>(groupAt(colors, face))]; },
       [&](const LineElement&) { return values.front(); });
 }
 
 void writeXmlCellData(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
   file.text("<CellData Scalars=\"face\">\n");
-  cellArray(
-      file, {"Int32", "face"}, mesh, lines,
-      [&](const MeshSlice& slice, std::size_t e) { return slice.face(e); },
+  faceArray(
+      file, {"Int32", "face"}, mesh, lines, [](std::int32_t face) { return face; },
       [](const LineElement&) { return kFaceOfLine; });
   cellArray(
       file, {"Int32", "rule"}, mesh, lines,
@@ -256,10 +264,10 @@ void writeXmlCellData(const ModelMesh& mesh, Lines lines, XmlOutput& file) {
       [&](const MeshSlice& slice, std::size_t e) { return shapeQuality(slice, slice.elements[e]); },
       [](const LineElement&) { return kQualityOfLine; });
   if (!lines.empty()) {
-    const auto ofNone = [](const MeshSlice&, std::size_t) { return kOnNoEdge; };
-    cellArray(file, {"Int32", "edge"}, mesh, lines, ofNone,
+    const auto ofNone = [](std::int32_t) { return kOnNoEdge; };
+    faceArray(file, {"Int32", "edge"}, mesh, lines, ofNone,
               [](const LineElement& line) { return std::int32_t{line.edge}; });
-    cellArray(file, {"Int32", "boundary"}, mesh, lines, ofNone,
+    faceArray(file, {"Int32", "boundary"}, mesh, lines, ofNone,
               [](const LineElement& line) { return std::int32_t{line.boundary}; });
   }
   writeGroupsOfCells(mesh, lines, file);

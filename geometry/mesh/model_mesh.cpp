@@ -13,6 +13,18 @@ MeshSlice wholeOf(const ModelMesh& mesh) {
 
 SpooledMesh::Shared sharedOf(const ModelMesh& mesh) { return {mesh.vertices, mesh.wantedSizes}; }
 
+void visitRuns(const MeshSlice& slice, const std::function<void(const ElementRun&)>& visit) {
+  ElementRun run;
+  for (std::size_t e = 0; e < slice.elements.size(); ++e) {
+    const std::int32_t face = slice.face(e);
+    const bool isQuad = slice.elements[e].isQuad();
+    if (run.count > 0 && (run.face != face || run.areQuads != isQuad))
+      visit(std::exchange(run, {}));
+    run = {face, isQuad, run.count + 1};
+  }
+  if (run.count > 0) visit(run);
+}
+
 }  // namespace
 
 std::size_t vertexCount(const ModelMesh& mesh) {
@@ -46,6 +58,19 @@ void visitSliceOf(const ModelMesh& mesh, std::size_t element, const SliceVisit& 
     mesh.spooled->visitPart(mesh.spooled->partOf(element), sharedOf(mesh), visit);
   else
     visit(wholeOf(mesh));
+}
+
+void forEachRun(const ModelMesh& mesh, const std::function<void(const ElementRun&)>& visit) {
+  if (!mesh.spooled) return visitRuns(wholeOf(mesh), visit);
+  for (std::size_t i = 0; i < mesh.spooled->parts().size(); ++i) {
+    const SpooledPart& part = mesh.spooled->parts()[i];
+    const std::size_t elements = part.bulk->counts().elements, quads = part.bulk->counts().quads;
+    if (quads > 0 && quads < elements)
+      mesh.spooled->visitPart(i, sharedOf(mesh),
+                              [&](const MeshSlice& slice) { visitRuns(slice, visit); });
+    else if (elements > 0)
+      visit({part.face, quads > 0, elements});
+  }
 }
 
 std::vector<FaceElements> elementsByFace(const ModelMesh& mesh) {

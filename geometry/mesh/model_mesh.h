@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -286,6 +287,18 @@ struct FaceElements {
 };
 /// All elements, in their order.
 AF2_EXPORT std::vector<FaceElements> elementsByFace(const ModelMesh& mesh);
+
+/// Consecutive elements of one face that are all triangles or all quadrilaterals.
+struct ElementRun {
+  std::int32_t face = 0;
+  bool areQuads = false;
+  std::size_t count = 0;
+  bool operator==(const ElementRun&) const = default;
+};
+/// All elements, in their order. Of a mesh that is not in memory, only faces with both kinds are
+/// loaded for this.
+AF2_EXPORT void forEachRun(const ModelMesh& mesh,
+                           const std::function<void(const ElementRun&)>& visit);
 
 /// Calls visit(slice, i) for each of some elements, which is number i of the slice.
 template <class Visit>
