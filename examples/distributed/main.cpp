@@ -45,6 +45,9 @@ int run(const char* file, double size) {
   {
     af2::mpi::Crew crew(MPI_COMM_WORLD, options.threads);
     options.crew = crew.faces();
+    using Spool =
+        af2::geometry::SpoolRequest;  // faces stay with the processes that have meshed them
+    options.spool = {Spool::When::Always, {}, Spool::Where::Memory};
     const af2::geometry::ModelMesh mesh =
         meshModel(af2::geometry::readModel(file), algorithm, options);
     part = distribute(crew, mesh, {});

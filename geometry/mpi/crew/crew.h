@@ -24,8 +24,9 @@ struct RunStopped : InputError {
 
 /// The processes of a communicator. Give `faces` to `MeshingOptions::crew`: then `meshModel` and
 /// its like return the mesh of the whole model on rank 0, with the same bits as without a crew, and
-/// on other ranks the reports of its faces without vertices and elements. `distribute` gives each
-/// process its part.
+/// on other ranks the reports of its faces without vertices and elements. With
+/// `MeshingOptions::spool`, which counts on rank 0 only, but for the folder, faces stay with the
+/// processes that have meshed them. `distribute` gives each process its part.
 ///
 /// All processes make their crew at the same time, mesh the same models with the same options, and
 /// give up the crew at the same time; between, MPI must not be called for anything else. If one of

@@ -91,10 +91,9 @@ class PartCutter {
 
   std::vector<PartEnd> cut() {
     numberShared();
-    const std::vector<FaceElements> faces = elementsByFace(mesh_);
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      visitSliceOf(mesh_, faces[f].first,
-                   [&](const MeshSlice& slice) { cutFace(slice, faces[f], division_.faces[f]); });
+    forEachFaceOf(mesh_, [&](const MeshSlice& slice, const FaceElements& face, std::size_t f) {
+      cutFace(slice, face, division_.faces[f]);
+    });
     return ends();
   }
 

@@ -45,6 +45,17 @@ void forEachVertexOf(const geometry::ModelMesh& mesh, const geometry::MeshSlice&
     visit(mesh.midsides[slice.firstElement + element][i].value);
 }
 
+/// Calls visit(slice, face, f) for each item of elementsByFace, which is number f, with the slice
+/// that has it.
+void forEachFaceOf(const geometry::ModelMesh& mesh, const auto& visit) {
+  const std::vector<geometry::FaceElements> faces = elementsByFace(mesh);
+  std::size_t f = 0;
+  forEachSlice(mesh, [&](const geometry::MeshSlice& slice) {
+    const std::size_t end = slice.firstElement + slice.elements.size();
+    for (; f < faces.size() && faces[f].first < end; ++f) visit(slice, faces[f], f);
+  });
+}
+
 /// Divides the faces into patches, and the graph of the patches by METIS. Parts have about the same
 /// number of elements and short borders. The same mesh is divided in the same way each time.
 MeshDivision divideMesh(const geometry::ModelMesh& mesh, int parts);

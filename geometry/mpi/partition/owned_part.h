@@ -69,8 +69,8 @@ struct OwnedPart {
 };
 
 /// Divides a mesh into as many parts as the crew has processes, by METIS, and gives each process
-/// its own. All processes call it; the mesh counts on rank 0 only. A mesh that is not in memory
-/// (ModelMesh::spooled) is loaded face by face.
+/// its own. All processes call it; the mesh counts on rank 0 only. A mesh that has been put away
+/// (ModelMesh::spooled) is loaded face by face. The crew must live as long as such a mesh.
 OwnedPart distribute(Crew& crew, const geometry::ModelMesh& mesh, geometry::LinesAlong lines);
 
 }  // namespace af2::mpi

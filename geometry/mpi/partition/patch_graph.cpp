@@ -14,33 +14,32 @@ using geometry::MeshSlice;
 using geometry::ModelMesh;
 
 /// Of a mesh in memory: behind the last vertex that several faces have, or none.
-std::uint32_t endOfShared(const ModelMesh& mesh, const std::vector<FaceElements>& faces) {
+std::uint32_t endOfShared(const ModelMesh& mesh) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> faceOf(mesh.vertices.size(), kNone);
   std::uint32_t end = 0;
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
-    visitSliceOf(mesh, faces[f].first, [&](const MeshSlice& slice) {
-      for (std::size_t e = faces[f].first; e < faces[f].last; ++e)
-        forEachVertexOf(mesh, slice, e, [&](std::uint32_t v) {
-          if (faceOf[v] == kNone) faceOf[v] = f;
-          if (faceOf[v] != f) end = std::max(end, v + 1);
-        });
-    });
+  forEachFaceOf(mesh, [&](const MeshSlice& slice, const FaceElements& face, std::size_t f) {
+    for (std::size_t e = face.first; e < face.last; ++e)
+      forEachVertexOf(mesh, slice, e, [&](std::uint32_t v) {
+        if (faceOf[v] == kNone) faceOf[v] = static_cast<std::uint32_t>(f);
+        if (faceOf[v] != f) end = std::max(end, v + 1);
+      });
+  });
   const auto unused = std::ranges::find(faceOf.rbegin(), faceOf.rend(), kNone);
   return std::max(end, static_cast<std::uint32_t>(faceOf.rend() - unused));
 }
 
 class PatchGraphMaker {
  public:
-  PatchGraphMaker(const ModelMesh& mesh, std::size_t most)
-      : mesh_(mesh), most_(most), faces_(elementsByFace(mesh)) {
+  PatchGraphMaker(const ModelMesh& mesh, std::size_t most) : mesh_(mesh), most_(most) {
     graph_.insideFrom =
-        mesh.spooled ? static_cast<std::uint32_t>(mesh.vertices.size()) : endOfShared(mesh, faces_);
+        mesh.spooled ? static_cast<std::uint32_t>(mesh.vertices.size()) : endOfShared(mesh);
   }
 
   PatchGraph make() {
-    for (const FaceElements& face : faces_)
-      visitSliceOf(mesh_, face.first, [&](const MeshSlice& slice) { add(slice, face); });
+    forEachFaceOf(mesh_, [&](const MeshSlice& slice, const FaceElements& face, std::size_t) {
+      add(slice, face);
+    });
     link(between_);
     mergeLinks();
     return std::move(graph_);
@@ -153,7 +152,6 @@ class PatchGraphMaker {
 
   const ModelMesh& mesh_;
   const std::size_t most_;
-  const std::vector<FaceElements> faces_;
   PatchGraph graph_;
   std::vector<Side> between_;  ///< of all faces: sides between vertices that several may have
   std::vector<Inside> inside_;

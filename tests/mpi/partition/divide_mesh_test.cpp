@@ -13,12 +13,11 @@ using testing::strip;
 std::vector<std::int32_t> ownersOf(const ModelMesh& mesh, int parts) {
   const MeshDivision division = divideMesh(mesh, parts);
   std::vector<std::int32_t> owners;
-  const auto faces = elementsByFace(mesh);
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    forEachElementOf(mesh, faces[f], [&](const geometry::MeshSlice& slice, std::size_t e) {
-      const MeshDivision::FacePatches& patches = division.faces[f];
+  forEachFaceOf(mesh, [&](const geometry::MeshSlice& slice, const auto& face, std::size_t f) {
+    const MeshDivision::FacePatches& patches = division.faces[f];
+    for (std::size_t e = face.first; e < face.last; ++e)
       owners.push_back(division.partOfPatch[patches.first + patches.tree.of(middleOf(slice, e))]);
-    });
+  });
   return owners;
 }
 
