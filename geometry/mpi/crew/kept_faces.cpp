@@ -11,6 +11,13 @@ namespace af2::mpi {
 
 using namespace geometry;
 
+namespace {
+
+/// Of an answer: what is wrong, which is nothing; the bytes of the face follow.
+const std::size_t kFaultBytes = bytesOf(std::string()).size();
+
+}  // namespace
+
 KeptFaces::KeptFaces(Post& post) : post_(post) {
   post_.handle(kFetch, [this](const Letter& letter) { answer(letter); });
   post_.handle(kForget, [this](const Letter& letter) {
@@ -46,7 +53,7 @@ void KeptFaces::answer(const Letter& letter) {
     if (!face) throw InternalError("a face is asked for that is not kept");
     face->read(count, [&](std::span<const std::uint8_t> some) {
       ByteWriter writer;
-      writer(std::string());
+      writer(std::string());  // no fault
       writer.append(some.data(), some.size());
       bytes = writer.take();
     });
@@ -60,28 +67,48 @@ class FaceFetcher::RemoteFace final : public StoredFace {
  public:
   RemoteFace(FaceFetcher& fetcher, int process, std::uint64_t number, StoredCounts counts)
       : StoredFace(std::move(counts)), fetcher_(fetcher), process_(process), number_(number) {}
-  ~RemoteFace() override { fetcher_.post_.send(process_, kForget, bytesOf(number_)); }
+  ~RemoteFace() override {
+    if (all_) fetcher_.giveRoomBack(size());
+    fetcher_.post_.send(process_, kForget, bytesOf(number_));
+  }
 
   void read(std::size_t count, const UseBytes& use) const override {
-    const std::optional<std::uint64_t> ahead = takeAhead();
-    fetcher_.answer(ahead ? *ahead : fetcher_.call(process_, number_, count),
-                    [&](std::span<const std::uint8_t> bytes) { use(bytes.first(count)); });
+    std::shared_ptr<const Bytes> bytes = kept();
+    if (!bytes) bytes = fetched(count);
+    use({reinterpret_cast<const std::uint8_t*>(bytes->data()) + kFaultBytes, count});
   }
   void readAhead() const override {
     const std::lock_guard lock(mutex_);
-    if (!ahead_) ahead_ = fetcher_.call(process_, number_, counts().allBytes());
+    if (!all_ && !ahead_) ahead_ = fetcher_.call(process_, number_, size());
   }
 
  private:
+  std::size_t size() const { return counts().allBytes(); }
+
+  std::shared_ptr<const Bytes> kept() const {
+    const std::lock_guard lock(mutex_);
+    return all_;
+  }
   std::optional<std::uint64_t> takeAhead() const {
     const std::lock_guard lock(mutex_);
     return std::exchange(ahead_, std::nullopt);
+  }
+
+  std::shared_ptr<const Bytes> fetched(std::size_t count) const {
+    std::optional<std::uint64_t> call = takeAhead();
+    const bool isAll = call || fetcher_.hasRoomFor(size());
+    if (!call) call = fetcher_.call(process_, number_, isAll ? size() : count);
+    std::shared_ptr<const Bytes> bytes = fetcher_.answer(*call);
+    const std::lock_guard lock(mutex_);
+    if (isAll && !all_ && fetcher_.takeRoomFor(size())) all_ = bytes;
+    return bytes;
   }
 
   FaceFetcher& fetcher_;
   int process_;
   std::uint64_t number_;
   mutable std::mutex mutex_;
+  mutable std::shared_ptr<const Bytes> all_;    ///< if there is room
   mutable std::optional<std::uint64_t> ahead_;  ///< the call that asks for all
 };
 
@@ -103,16 +130,32 @@ std::uint64_t FaceFetcher::call(int process, std::uint64_t number, std::uint64_t
   return call;
 }
 
-void FaceFetcher::answer(std::uint64_t call, const StoredFace::UseBytes& use) {
-  const Letter letter = post_.receive(fetchedBy(call));
+std::shared_ptr<const Bytes> FaceFetcher::answer(std::uint64_t call) {
+  auto bytes = std::make_shared<const Bytes>(post_.receive(fetchedBy(call)).bytes);
   {
     const std::lock_guard lock(mutex_);
     calls_.erase(call);
   }
-  ByteReader reader(letter.bytes);
-  if (const auto fault = reader.take<std::string>(); !fault.empty()) throw InputError(fault);
-  const std::span<const std::byte> bytes = reader.rest();
-  use({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  if (const auto fault = ByteReader(*bytes).take<std::string>(); !fault.empty())
+    throw InputError(fault);
+  return bytes;
+}
+
+bool FaceFetcher::hasRoomFor(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  return bytes_ + bytes <= kMostBytes;
+}
+
+bool FaceFetcher::takeRoomFor(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  if (bytes_ + bytes > kMostBytes) return false;
+  bytes_ += bytes;
+  return true;
+}
+
+void FaceFetcher::giveRoomBack(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  bytes_ -= bytes;
 }
 
 }  // namespace af2::mpi

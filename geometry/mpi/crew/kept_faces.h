@@ -39,7 +39,8 @@ class KeptFaces {
   std::map<std::uint64_t, std::shared_ptr<const geometry::StoredFace>> faces_;
 };
 
-/// How the leader gets at faces of others.
+/// How the leader gets at faces of others. It keeps the bytes of some, because it needs most faces
+/// several times.
 class FaceFetcher {
  public:
   explicit FaceFetcher(Post& post) : post_(post) {}
@@ -48,15 +49,20 @@ class FaceFetcher {
   void attach(int process, std::vector<KeptFace> kept, geometry::FaceMesh& mesh);
 
  private:
+  static constexpr std::size_t kMostBytes = 64'000'000;  ///< of those that are kept here
   class RemoteFace;
   /// Asks for the first bytes of a face. Returns the number of the call.
   std::uint64_t call(int process, std::uint64_t number, std::uint64_t count);
   /// Waits for them. Throws InputError if the other process cannot read them.
-  void answer(std::uint64_t call, const geometry::StoredFace::UseBytes& use);
+  std::shared_ptr<const Bytes> answer(std::uint64_t call);
+  bool hasRoomFor(std::size_t bytes);
+  bool takeRoomFor(std::size_t bytes);
+  void giveRoomBack(std::size_t bytes);
 
   Post& post_;
   std::mutex mutex_;
   std::set<std::uint64_t> calls_;  ///< those whose answers have not come yet
+  std::size_t bytes_ = 0;          ///< of the faces that are kept here
 };
 
 }  // namespace af2::mpi
