@@ -1,8 +1,8 @@
 """The package is as fast as the program: within 5 percent for the same request, reading, meshing and measuring.
 
 Processor time of one thread is compared. What else the machine does changes it by a tenth and more from second to
-second, so both take turns, nothing else of the tests runs beside them, and the least of each is compared: of more turns
-where a few do not show it, because both had better have been alone once."""
+second, so both take turns, nothing else of the tests runs beside them, and the least of each is compared. In ten turns
+one of them may never have had the processor to itself; then there are more."""
 
 import resource
 import time
