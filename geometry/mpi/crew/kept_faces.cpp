@@ -11,13 +11,6 @@ namespace af2::mpi {
 
 using namespace geometry;
 
-namespace {
-
-/// Of an answer: what is wrong, which is nothing; the bytes of the face follow.
-const std::size_t kFaultBytes = bytesOf(std::string()).size();
-
-}  // namespace
-
 KeptFaces::KeptFaces(Post& post) : post_(post) {
   post_.handle(kFetch, [this](const Letter& letter) { answer(letter); });
   post_.handle(kForget, [this](const Letter& letter) {
@@ -41,7 +34,6 @@ std::vector<KeptFace> KeptFaces::keep(FaceMesh& mesh) {
 void KeptFaces::answer(const Letter& letter) {
   ByteReader reader(letter.bytes);
   const auto number = reader.take<std::uint64_t>();
-  const auto count = reader.take<std::uint64_t>();
   const auto call = reader.take<std::uint64_t>();
   std::shared_ptr<const StoredFace> face;
   {
@@ -51,7 +43,7 @@ void KeptFaces::answer(const Letter& letter) {
   Bytes bytes;
   try {
     if (!face) throw InternalError("a face is asked for that is not kept");
-    face->read(count, [&](std::span<const std::uint8_t> some) {
+    face->read(face->counts().allBytes(), [&](std::span<const std::uint8_t> some) {
       ByteWriter writer;
       writer(std::string());  // no fault
       writer.append(some.data(), some.size());
@@ -74,12 +66,14 @@ class FaceFetcher::RemoteFace final : public StoredFace {
 
   void read(std::size_t count, const UseBytes& use) const override {
     std::shared_ptr<const Bytes> bytes = kept();
-    if (!bytes) bytes = fetched(count);
-    use({reinterpret_cast<const std::uint8_t*>(bytes->data()) + kFaultBytes, count});
+    if (!bytes) bytes = fetched();
+    ByteReader reader(*bytes);
+    reader.take<std::string>();  // no fault
+    use({reinterpret_cast<const std::uint8_t*>(reader.rest().data()), count});
   }
   void readAhead() const override {
     const std::lock_guard lock(mutex_);
-    if (!all_ && !ahead_) ahead_ = fetcher_.call(process_, number_, size());
+    if (!all_ && !ahead_) ahead_ = fetcher_.call(process_, number_);
   }
 
  private:
@@ -94,13 +88,12 @@ class FaceFetcher::RemoteFace final : public StoredFace {
     return std::exchange(ahead_, std::nullopt);
   }
 
-  std::shared_ptr<const Bytes> fetched(std::size_t count) const {
-    std::optional<std::uint64_t> call = takeAhead();
-    const bool isAll = call || fetcher_.hasRoomFor(size());
-    if (!call) call = fetcher_.call(process_, number_, isAll ? size() : count);
-    std::shared_ptr<const Bytes> bytes = fetcher_.answer(*call);
+  std::shared_ptr<const Bytes> fetched() const {
+    const std::optional<std::uint64_t> ahead = takeAhead();
+    std::shared_ptr<const Bytes> bytes =
+        fetcher_.answer(ahead ? *ahead : fetcher_.call(process_, number_));
     const std::lock_guard lock(mutex_);
-    if (isAll && !all_ && fetcher_.takeRoomFor(size())) all_ = bytes;
+    if (!all_ && fetcher_.takeRoomFor(size())) all_ = bytes;
     return bytes;
   }
 
@@ -109,7 +102,7 @@ class FaceFetcher::RemoteFace final : public StoredFace {
   std::uint64_t number_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const Bytes> all_;    ///< if there is room
-  mutable std::optional<std::uint64_t> ahead_;  ///< the call that asks for all
+  mutable std::optional<std::uint64_t> ahead_;  ///< the call that asks for them
 };
 
 void FaceFetcher::attach(int process, std::vector<KeptFace> kept, FaceMesh& mesh) {
@@ -120,13 +113,13 @@ void FaceFetcher::attach(int process, std::vector<KeptFace> kept, FaceMesh& mesh
       std::make_shared<const RemoteFace>(*this, process, face.number, std::move(face.counts));
 }
 
-std::uint64_t FaceFetcher::call(int process, std::uint64_t number, std::uint64_t count) {
+std::uint64_t FaceFetcher::call(int process, std::uint64_t number) {
   std::uint64_t call = 0;
   {
     const std::lock_guard lock(mutex_);
     while (!calls_.insert(call).second) ++call;
   }
-  post_.send(process, kFetch, bytesOf(number, count, call));
+  post_.send(process, kFetch, bytesOf(number, call));
   return call;
 }
 
@@ -139,11 +132,6 @@ std::shared_ptr<const Bytes> FaceFetcher::answer(std::uint64_t call) {
   if (const auto fault = ByteReader(*bytes).take<std::string>(); !fault.empty())
     throw InputError(fault);
   return bytes;
-}
-
-bool FaceFetcher::hasRoomFor(std::size_t bytes) {
-  const std::lock_guard lock(mutex_);
-  return bytes_ + bytes <= kMostBytes;
 }
 
 bool FaceFetcher::takeRoomFor(std::size_t bytes) {

@@ -51,11 +51,10 @@ class FaceFetcher {
  private:
   static constexpr std::size_t kMostBytes = 64'000'000;  ///< of those that are kept here
   class RemoteFace;
-  /// Asks for the first bytes of a face. Returns the number of the call.
-  std::uint64_t call(int process, std::uint64_t number, std::uint64_t count);
-  /// Waits for them. Throws InputError if the other process cannot read them.
+  /// Asks for a face. Returns the number of the call.
+  std::uint64_t call(int process, std::uint64_t number);
+  /// Waits for its bytes. Throws InputError if the other process cannot read them.
   std::shared_ptr<const Bytes> answer(std::uint64_t call);
-  bool hasRoomFor(std::size_t bytes);
   bool takeRoomFor(std::size_t bytes);
   void giveRoomBack(std::size_t bytes);
 

@@ -14,7 +14,7 @@ enum CrewTopic : Topic {
   kPiece,       ///< to the owner of a region: a piece, with its mesh
   kDone,        ///< to the leader: a process has done what it was told
   kGivenUp,     ///< to the leader: why a process cannot go on
-  kFetch,       ///< to who keeps a face: its number, how much of it, and where to send that
+  kFetch,       ///< to who keeps a face: its number, and where to send its bytes
   kForget,      ///< to who keeps a face: its number; it is not needed any more
   kAbandon,     ///< from the leader to all: what others still owe will not come
   kReplies,     ///< and those after it, by slot: answers of the leader

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "geometry/formats/element_vertices.h"
+
 namespace af2::mpi {
 
 namespace {
@@ -143,8 +145,8 @@ class PartCutter {
     std::uint32_t lowest = std::numeric_limits<std::uint32_t>::max();
     const auto forEachInside = [&](const auto& visit) {
       for (std::size_t i = 0; i < owners_.size(); ++i)
-        forEachVertexOf(mesh_, slice, first + i, [&](std::uint32_t v) {
-          if (v >= division_.insideFrom) visit(v, owners_[i]);
+        forEachMshVertex(mesh_, slice, first + i, [&](VertexId v) {
+          if (isInside(v.value)) visit(v.value, owners_[i]);
         });
     };
     forEachInside([&](std::uint32_t v, std::int32_t) { lowest = std::min(lowest, v); });
@@ -178,7 +180,7 @@ class PartCutter {
     for (const std::int32_t part : beside_) {
       pieceOf(part).elements.push_back(piece);
       std::vector<std::uint32_t>& wanted = wanted_[static_cast<std::size_t>(part)];
-      forEachVertexOf(mesh_, slice, e, [&](std::uint32_t v) { wanted.push_back(v); });
+      forEachMshVertex(mesh_, slice, e, [&](VertexId v) { wanted.push_back(v.value); });
     }
     PartPiece& own = pieceOf(owner);
     own.ghostCounts.push_back(static_cast<std::int32_t>(beside_.size()) - 1);

@@ -35,16 +35,6 @@ struct MeshDivision {
 /// The mean of the corners of an element of a slice.
 Point3 middleOf(const geometry::MeshSlice& slice, std::size_t element);
 
-/// Calls visit(v) for the vertices of an element: its corners, and the middles of its sides if it
-/// is of second order.
-void forEachVertexOf(const geometry::ModelMesh& mesh, const geometry::MeshSlice& slice,
-                     std::size_t element, const auto& visit) {
-  const auto corners = slice.elements[element].vertices();
-  for (const VertexId v : corners) visit(v.value);
-  for (std::size_t i = 0; !mesh.midsides.empty() && i < corners.size(); ++i)
-    visit(mesh.midsides[slice.firstElement + element][i].value);
-}
-
 /// Calls visit(slice, face, f) for each item of elementsByFace, which is number f, with the slice
 /// that has it.
 void forEachFaceOf(const geometry::ModelMesh& mesh, const auto& visit) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/formats/element_vertices.h"
+
 namespace af2::mpi {
 
 namespace {
@@ -20,9 +22,10 @@ std::uint32_t endOfShared(const ModelMesh& mesh) {
   std::uint32_t end = 0;
   forEachFaceOf(mesh, [&](const MeshSlice& slice, const FaceElements& face, std::size_t f) {
     for (std::size_t e = face.first; e < face.last; ++e)
-      forEachVertexOf(mesh, slice, e, [&](std::uint32_t v) {
-        if (faceOf[v] == kNone) faceOf[v] = static_cast<std::uint32_t>(f);
-        if (faceOf[v] != f) end = std::max(end, v + 1);
+      forEachMshVertex(mesh, slice, e, [&](VertexId v) {
+        std::uint32_t& first = faceOf[v.value];
+        if (first == kNone) first = static_cast<std::uint32_t>(f);
+        if (first != f) end = std::max(end, v.value + 1);
       });
   });
   const auto unused = std::ranges::find(faceOf.rbegin(), faceOf.rend(), kNone);
@@ -77,11 +80,11 @@ class PatchGraphMaker {
     ++face_;
     const std::size_t noted = graph_.atVertices.size();
     for (std::size_t i = 0; i < patches.size(); ++i)
-      forEachVertexOf(mesh_, slice, first + i, [&](std::uint32_t v) {
-        if (v < graph_.insideFrom)
-          graph_.atVertices.emplace_back(v, patches[i]);
+      forEachMshVertex(mesh_, slice, first + i, [&](VertexId v) {
+        if (v.value < graph_.insideFrom)
+          graph_.atVertices.emplace_back(v.value, patches[i]);
         else
-          note(insideAt(slice, v), patches[i]);
+          note(insideAt(slice, v.value), patches[i]);
       });
     const auto own = graph_.atVertices.begin() + static_cast<std::ptrdiff_t>(noted);
     std::sort(own, graph_.atVertices.end());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/support/spooled.h"
+#include "tests/support/strip.h"
 
 namespace af2::geometry {
 namespace {
@@ -15,35 +16,11 @@ std::vector<ElementRun> runsOf(const ModelMesh& mesh) {
   return runs;
 }
 
-/// A row of squares; those of some are divided in two triangles.
-ModelMesh rowOf(const std::vector<bool>& areDivided) {
-  ModelMesh mesh;
-  const std::size_t squares = areDivided.size();
-  for (std::size_t i = 0; i <= squares; ++i)
-    for (const double y : {0.0, 1.0}) mesh.vertices.push_back({static_cast<double>(i), y, 0});
-  for (std::size_t i = 0; i < squares; ++i) {
-    const VertexId a(2 * i), b(2 * i + 2), c(2 * i + 3), d(2 * i + 1);
-    if (areDivided[i]) {
-      mesh.elements.push_back({{a, b, c, VertexId()}});
-      mesh.elements.push_back({{a, c, d, VertexId()}});
-    } else {
-      mesh.elements.push_back({{a, b, c, d}});
-    }
-    mesh.segments.push_back({a, b, 1, 1, {}});
-    mesh.segments.push_back({d, c, 1, 1, {}});
-  }
-  return mesh;
-}
-
 TEST(ElementRuns, AreOfOneFaceAndOneKind) {
-  ModelMesh mesh = rowOf({true, true, false, true, true, true, false, false});
-  //                      1     1     1      1     2     2     3      3
-  mesh.face = {1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3};
-  for (const int face : {1, 2, 3}) mesh.faces.emplace_back().id = face;
-  for (const std::uint32_t x : {4u, 6u})
-    mesh.segments.push_back({VertexId(2 * x), VertexId(2 * x + 1), 1, 2, {}});
-  const std::vector<ElementRun> expected{
-      {1, false, 4}, {1, true, 1}, {1, false, 2}, {2, false, 4}, {3, true, 2}};
+  ModelMesh mesh = testing::strip({true, true, false, true, true, true, false, false, false}, 4);
+  testing::outlineFaces(mesh, 4);
+  const std::vector<ElementRun> expected{{1, false, 4}, {1, true, 1}, {1, false, 2},
+                                         {2, false, 4}, {2, true, 2}, {3, true, 1}};
   EXPECT_EQ(runsOf(mesh), expected);
   const testing::BothMeshes both = testing::joined(testing::facesOf(mesh));
   ASSERT_TRUE(both.onDisk.spooled);

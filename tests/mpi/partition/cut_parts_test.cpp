@@ -4,8 +4,8 @@
 
 #include "geometry/mpi/partition/part_builder.h"
 #include "geometry/mpi/partition/patch_graph.h"
-#include "tests/mpi/partition/strip.h"
 #include "tests/support/spooled.h"
+#include "tests/support/strip.h"
 
 namespace af2::mpi {
 namespace {
@@ -104,12 +104,7 @@ TEST(CutParts, OfALargeFaceComeInSeveralPieces) {
 /// The same parts, whether the mesh is in memory or loaded face by face.
 TEST(CutParts, OfAMeshOnDiskAreTheSame) {
   ModelMesh mesh = strip(60, 20);
-  for (const int face : {1, 2, 3}) mesh.faces.emplace_back().id = face;
-  for (std::uint32_t s = 0; s < 60; ++s)
-    for (const std::uint32_t y : {0u, 1u})
-      mesh.segments.push_back({VertexId(2 * s + y), VertexId(2 * s + 2 + y), 1, 1, {}});
-  for (const std::uint32_t x : {20u, 40u})
-    mesh.segments.push_back({VertexId(2 * x), VertexId(2 * x + 1), 1, 2, {}});
+  testing::outlineFaces(mesh, 20);
   const testing::BothMeshes both = testing::joined(testing::facesOf(mesh));
   ASSERT_TRUE(both.onDisk.spooled);
   ASSERT_TRUE(both.onDisk.elements.empty());

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/mpi/partition/strip.h"
+#include "tests/support/strip.h"
 
 namespace af2::mpi {
 namespace {
