@@ -17,6 +17,10 @@ Order orderIn(ByteReader& reader) {
   throw RunStopped(reason, reader.take<int>());
 }
 
+void expectOrder(Order expected, Order order) {
+  if (order != expected) throw InternalError("a process got another order than it expected");
+}
+
 }  // namespace
 
 Process::Follower::Follower(Post& post, std::size_t threads)
@@ -28,7 +32,9 @@ Process::Follower::Follower(Post& post, std::size_t threads)
 std::optional<RunChange> Process::Follower::nextRun() {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
-  if (orderIn(reader) == Order::BeginRun) return reader.take<RunChange>();
+  const Order order = orderIn(reader);
+  if (order == Order::BeginRun) return reader.take<RunChange>();
+  expectOrder(Order::EndModel, order);
   reader(reports_.faces, reports_.findings, reports_.notes);
   return std::nullopt;
 }
@@ -36,7 +42,9 @@ std::optional<RunChange> Process::Follower::nextRun() {
 std::optional<FaceRound> Process::Follower::nextRound() {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
-  if (orderIn(reader) == Order::EndRun) return std::nullopt;
+  const Order order = orderIn(reader);
+  if (order == Order::EndRun) return std::nullopt;
+  expectOrder(Order::BeginRound, order);
   std::vector<SizeSource> near;
   reader(round_, divided_, near);
   return FaceRound{divided_, std::move(near)};
@@ -52,7 +60,7 @@ ModelMesh Process::Follower::reports() { return std::exchange(reports_, {}); }
 Bytes Process::Follower::waitFor(Order order) {
   const Letter letter = post_.receive(kOrders);
   ByteReader reader(letter.bytes);
-  if (orderIn(reader) != order) throw InternalError("a process got another order than it expected");
+  expectOrder(order, orderIn(reader));
   return reader.take<Bytes>();
 }
 

@@ -22,7 +22,8 @@ class Process final : public geometry::FaceCrew {
   geometry::CrewFollower* follower() override;
   Post& post() { return post_; }
 
-  /// The leader: sends an order, with what belongs to it, to one process or to all.
+  /// The leader: sends an order, with what belongs to it, to one process or to all. What goes to
+  /// one may overtake what went to all before, and the other way round.
   void order(int process, Order order, Bytes bytes);
   void orderAll(Order order, Bytes bytes);
   /// The leader: waits until as many more processes have done what they were told. Throws

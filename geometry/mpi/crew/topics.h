@@ -25,6 +25,16 @@ inline Topic fetchedBy(std::uint64_t call) { return (1u << 30) + static_cast<Top
 
 inline Topic replyTo(std::uint64_t slot) { return kReplies + static_cast<Topic>(slot); }
 
-enum class Order { TakeModel, BeginRun, BeginRound, EndRun, EndModel, TakePart, Commit, Stop };
+enum class Order {
+  TakeModel,
+  BeginRun,
+  BeginRound,
+  EndRun,
+  EndModel,
+  BeginParts,
+  TakePart,
+  Commit,
+  Stop
+};
 
 }  // namespace af2::mpi

@@ -58,7 +58,16 @@ class PieceSender {
   int ahead_ = 0;                 ///< deliveries that may not have been taken yet
 };
 
+/// Orders to all are passed on from process to process. One that is sent to a single process might
+/// overtake them, unless all have got them.
+void beginParts(Process& process) {
+  process.orderAll(Order::BeginParts, {});
+  process.waitForDone(process.post().ranks() - 1);
+}
+
 OwnedPart received(Process& process) {
+  process.waitFor(Order::BeginParts);
+  process.done();
   PartBuilder builder(process.post().rank());
   while (true) {
     const Bytes bytes = process.waitFor(Order::TakePart);
@@ -77,6 +86,7 @@ OwnedPart distribute(Crew& crew, const geometry::ModelMesh& mesh, geometry::Line
   const std::vector<geometry::LineElement> lines = lineElements(mesh, along);
   const PartLabels labels = labelsOf(mesh, lines);
   const MeshDivision division = divideMesh(mesh, process.post().ranks());
+  beginParts(process);
   PartBuilder own(0);
   PieceSender sender(process);
   std::vector<PartEnd> ends = cutParts(mesh, division, lines, [&](int part, PartPiece&& piece) {
