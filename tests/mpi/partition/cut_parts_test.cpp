@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/mpi/partition/part_builder.h"
 #include "geometry/mpi/partition/patch_graph.h"
 #include "tests/support/spooled.h"
@@ -64,7 +66,11 @@ TEST(CutParts, GiveALineToTheOwnerOfTheElementBesideIt) {
 
 /// Vertex 4 is at the corners of three faces and of all three parts.
 TEST(CutParts, KnowGhostsInOtherFaces) {
-  const std::vector<OwnedPart> parts = partsOfPatches(strip(3, 1), 2);
+  ModelMesh mesh = strip(3, 1);
+  auto& corners = mesh.elements[2].corners;
+  std::rotate(corners.begin(), corners.begin() + 1,
+              corners.begin() + 3);  // beside the last part first
+  const std::vector<OwnedPart> parts = partsOfPatches(mesh, 2);
   ASSERT_EQ(parts.size(), 3u);
   EXPECT_EQ(parts[1].elementIds, (std::vector<std::uint64_t>{2, 3, 0, 1, 4, 5}));
   EXPECT_EQ(parts[1].face, (std::vector<std::int32_t>{2, 2, 1, 1, 3, 3}));
