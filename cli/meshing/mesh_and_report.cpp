@@ -146,12 +146,15 @@ int meshAndReport(const MeshRequest& request, const RunWatch& watch) {
   RunReport report = reportOf(mesh, request.options.strictRules);
   Files files;
   // Writing files and measuring quality run in parallel, unless each would load faces from disk.
-  const int threads = mesh.spooled ? 1 : request.options.threads;
-  geometry::forEachInParallel(2, threads, [&](std::size_t task) {
-    if (task == 0)
-      writeOutputs(request, *loaded.rules, mesh, files);
-    else
-      report.quality = measureQuality(mesh, 0);
+  const auto write = [&] { writeOutputs(request, *loaded.rules, mesh, files); };
+  const auto measure = [&] { report.quality = measureQuality(mesh, 0); };
+  geometry::withThreads(request.options.threads, [&] {
+    if (mesh.spooled) {
+      write();
+      measure();
+    } else {
+      geometry::forEachInParallel(2, 0, [&](std::size_t task) { task == 0 ? write() : measure(); });
+    }
   });
   for (const std::string& fault : files.faults()) addReason(report, fault);
   if (!request.report.empty()) report.sections["stuck"] = stuckJson(mesh);

@@ -12,7 +12,7 @@ namespace af2::geometry {
 namespace {
 
 /// A counter instead of ranges, because tasks must be started in order, the largest first.
-void runAll(std::size_t count, int workers, const std::function<void(std::size_t)>& work) {
+void runAll(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   const auto takeAll = [&] {
     for (std::size_t i = next++; i < count; i = next++) {
@@ -24,8 +24,9 @@ void runAll(std::size_t count, int workers, const std::function<void(std::size_t
       }
     }
   };
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   tbb::task_group group;
-  for (int i = 1; i < workers; ++i) group.run(takeAll);
+  for (std::size_t i = 1; i < std::min(threads, count); ++i) group.run(takeAll);
   group.run_and_wait(takeAll);
 }
 
@@ -45,7 +46,7 @@ int threadCount(int threads) {
 
 void forEachInParallel(std::size_t count, int threads,
                        const std::function<void(std::size_t)>& work) {
-  withThreads(threads, [&] { runAll(count, tbb::this_task_arena::max_concurrency(), work); });
+  withThreads(threads, [&] { runAll(count, work); });
 }
 
 }  // namespace af2::geometry

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "engine/mesh/vertex_stars.h"
 #include "geometry/base/parallel.h"
 
 namespace af2::geometry {
@@ -26,27 +25,10 @@ std::vector<WantedUses> wantedUses(const ModelMesh& mesh) {
   return all;
 }
 
-bool areSurrounded(const ModelMesh& mesh, VertexRange vertices) {
-  VertexStars stars(vertices.begin, vertices.end);
-  for (const Element& element : mesh.elements) stars.add(element);
-  stars.finish();
-  for (std::size_t v = vertices.begin; v < vertices.end; ++v)
-    if (!stars.isEmpty(v) && !stars.areAround(v)) return false;
-  return true;
-}
-
-std::vector<VertexRange> partsOf(VertexRange vertices) {
-  std::vector<VertexRange> parts;
-  for (std::size_t v = vertices.begin; v < vertices.end; v += VertexStars::kMaxAtOnce)
-    parts.push_back({v, std::min(v + VertexStars::kMaxAtOnce, vertices.end)});
-  return parts;
-}
-
 Findings EdgeChecker::check(VertexRange range) {
   const auto [begin, end] = range;
-  const MeshSides sides(mesh_, task_.elements, [&](std::uint32_t low, std::uint32_t high) {
-    return range.contains(low) && high < task_.last;
-  });
+  const MeshSides sides(range, mesh_.elements, task_.elements,
+                        [&](std::uint32_t, std::uint32_t high) { return high < task_.last; });
   auto segment = firstFrom(begin);  // both are in order
   const auto last = firstFrom(end);
   for (std::size_t v = begin; v < end; ++v) {
@@ -101,11 +83,14 @@ void EdgeChecker::checkEdge(const Point3& place, std::span<const MeshSide> sides
 }
 
 void checkEdges(const EdgeChecker::Task& task, int threads, Findings& findings) {
-  const std::vector<VertexRange> parts =
-      partsOf({0, std::min<std::size_t>(task.mesh.vertices.size(), task.last)});
-  std::vector<Findings> found(parts.size(), findings.none());
-  forEachInParallel(parts.size(), threads,
-                    [&](std::size_t i) { found[i] = EdgeChecker(task, found[i]).check(parts[i]); });
+  // The sides of all edges of a large mesh would take more memory than the mesh.
+  constexpr std::size_t kVertices = 250'000;
+  const Ranges ranges(std::min<std::size_t>(task.mesh.vertices.size(), task.last), kVertices);
+  std::vector<Findings> found(ranges.count(), findings.none());
+  forEachInParallel(found.size(), threads, [&](std::size_t i) {
+    const auto vertices = ranges[i];
+    found[i] = EdgeChecker(task, found[i]).check({vertices.front(), vertices.back() + 1});
+  });
   for (Findings& some : found) findings.take(std::move(some));
 }
 

@@ -25,19 +25,6 @@ struct WantedUses {
 /// Of all segments of a mesh, in the order of their keys.
 std::vector<WantedUses> wantedUses(const ModelMesh& mesh);
 
-/// Some vertices of a mesh, in a row.
-struct VertexRange {
-  std::size_t begin, end;
-  bool contains(std::size_t v) const { return v >= begin && v < end; }
-};
-
-/// Whether the elements at each of some vertices enclose it: then the sides that end there are
-/// correct, if the elements belong to one face.
-bool areSurrounded(const ModelMesh& mesh, VertexRange vertices);
-
-/// Sides and stars take more memory than the mesh: those of a large one are looked at in parts.
-std::vector<VertexRange> partsOf(VertexRange vertices);
-
 /// Looks at the edges whose lower vertex is one of some.
 class EdgeChecker {
  public:

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,8 @@ class ElementChecker {
   ElementChecker(const ModelMesh& mesh, std::uint32_t firstInside, Findings& findings)
       : mesh_(mesh), patches_(mesh), findings_(findings), firstInside_(firstInside) {}
 
-  void checkElements();
+  /// On up to `threads` threads (0: as many as the caller's TBB arena has).
+  void checkElements(int threads);
 
   /// The lowest vertex such that no later vertex is on a segment or belongs to elements of two
   /// faces; nothing if the numbering gives no such vertex, or if corners are wrong.
@@ -55,17 +57,34 @@ class ElementChecker {
   const std::vector<std::size_t>& atSegments() const { return atSegments_; }
   /// By face, the area of its elements; of faces meshed together by the first.
   const std::map<int, double>& areas() const { return areas_; }
+  /// Whether the elements at each vertex from `first` on enclose it: then the sides that end there
+  /// are correct, if the elements belong to one face.
+  bool areSurrounded(std::uint32_t first, int threads) const;
 
  private:
   /// The lowest and the highest of some vertices.
   struct Range {
     std::uint32_t low = 0xffffffffu, high = 0;
   };
+  /// Consecutive elements of one face.
+  struct Run {
+    int face = 0;
+    double area = 0;
+    Range inside;  ///< of their vertices from firstInside_ on
+  };
+  /// What some elements are like.
+  struct Part {
+    Findings findings;
+    std::vector<std::size_t> unsound, atSegments;
+    std::vector<Run> runs;
+  };
 
   const Point3& position(VertexId v) const { return mesh_.vertices[v.value]; }
-  void addUnsound(std::size_t i);
-  double checkedArea(std::size_t i);
-  void noteInside(std::size_t i);
+  Part checked(std::ranges::iota_view<std::size_t, std::size_t> elements) const;
+  void take(Part part);
+  void addUnsound(std::size_t i, Part& part) const;
+  double checkedArea(std::size_t i, Findings& findings) const;
+  void noteInside(std::size_t i, Part& part) const;
 
   const ModelMesh& mesh_;
   const MergedPatches patches_;
@@ -73,7 +92,7 @@ class ElementChecker {
   std::uint32_t firstInside_;
   std::vector<std::size_t> unsound_;     ///< with wrong corners
   std::vector<std::size_t> atSegments_;  ///< with two corners before firstInside_
-  std::vector<Range> insides_;           ///< of each run of elements of one face
+  std::vector<Run> runs_;
   std::map<int, double> areas_;
 };
 

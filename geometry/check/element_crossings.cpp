@@ -28,7 +28,7 @@ class Search {
 
   std::vector<Crossing> find() {
     if (mesh_.elements.empty()) return {};
-    const PatchOutlines outlines(mesh_);
+    const PatchOutlines outlines(mesh_, repeat_);
     findPatches(outlines);
     findShells();
     findShapes(outlines);

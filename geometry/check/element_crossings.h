@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "engine/base/export.h"
 #include "geometry/check/model_check.h"
+#include "geometry/check/repeat.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
@@ -20,9 +20,6 @@ struct Crossing {
   std::array<double, 2> widths{};  ///< of these elements: the longest distance of two corners
   bool operator==(const Crossing&) const = default;
 };
-
-/// Calls work(0), ..., work(count - 1), perhaps several at once.
-using Repeat = std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 
 /// All pairs of elements of one piece of the mesh that penetrate each other by more than 1e-9 of
 /// its diagonal, or that share an edge and overlap there. The pairs are in the order of the

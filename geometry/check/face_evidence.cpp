@@ -2,19 +2,12 @@
 
 #include <algorithm>
 
-#include "geometry/check/edge_checker.h"
 #include "geometry/check/element_checker.h"
 #include "geometry/check/sound_faces.h"
 
 namespace af2::geometry {
 
 namespace {
-
-bool isSoundInside(const ModelMesh& face, const ElementChecker& elements, std::size_t boundary) {
-  if (!elements.firstInside()) return false;
-  return std::ranges::all_of(partsOf({boundary, face.vertices.size()}),
-                             [&](const VertexRange& part) { return areSurrounded(face, part); });
-}
 
 /// Whether all corners are vertices; if not, elements have no places at which they could cross.
 bool hasVerticesOnly(const ModelMesh& face) {
@@ -25,7 +18,7 @@ bool hasVerticesOnly(const ModelMesh& face) {
 }
 
 void addShapes(const ModelMesh& face, FaceEvidence& evidence) {
-  const PatchOutlines outlines(face);
+  const PatchOutlines outlines(face, kOneByOne);
   evidence.patch = outlines.patch(0, face.elements.size());
   const auto first = face.elements.front().vertices();
   for (std::size_t i = 0; i < first.size(); ++i)
@@ -43,10 +36,11 @@ FaceEvidence evidenceOf(const ModelMesh& face, std::size_t boundary, bool mayCro
   if (face.elements.empty()) return evidence;
   Findings findings(kMaxFindings);
   ElementChecker elements(face, static_cast<std::uint32_t>(boundary), findings);
-  elements.checkElements();
+  elements.checkElements(1);
   evidence.findings = findings.result();
   evidence.area = elements.areas().begin()->second;
-  evidence.isSoundInside = isSoundInside(face, elements, boundary);
+  evidence.isSoundInside =
+      elements.firstInside() && elements.areSurrounded(static_cast<std::uint32_t>(boundary), 1);
   if (evidence.isSoundInside)
     for (const std::size_t i : elements.atSegments())
       evidence.atBoundary.push_back(face.elements[i]);

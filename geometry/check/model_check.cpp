@@ -1,11 +1,8 @@
 #include "geometry/check/model_check.h"
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <optional>
 
-#include "geometry/base/parallel.h"
 #include "geometry/check/edge_checker.h"
 #include "geometry/check/element_checker.h"
 
@@ -18,14 +15,7 @@ void checkEdgesOf(const ModelMesh& mesh, const ElementChecker& elements, int thr
                   Findings& findings) {
   const std::vector<WantedUses> wanted = wantedUses(mesh);
   const std::optional<std::uint32_t> inside = elements.firstInside();
-  bool isSoundInside = inside.has_value();
-  if (inside) {
-    const std::vector<VertexRange> parts = partsOf({*inside, mesh.vertices.size()});
-    std::vector<std::uint8_t> isSound(parts.size());
-    forEachInParallel(parts.size(), threads,
-                      [&](std::size_t i) { isSound[i] = areSurrounded(mesh, parts[i]); });
-    isSoundInside = std::ranges::all_of(isSound, std::identity());
-  }
+  const bool isSoundInside = inside && elements.areSurrounded(*inside, threads);
   checkEdges({mesh, wanted, isSoundInside ? elements.atSegments() : elements.sound(),
               isSoundInside ? *inside : 0xffffffffu},
              threads, findings);
@@ -43,7 +33,7 @@ bool isWrongArea(double ratio, std::size_t elements) {
 std::vector<MeshFinding> checkModelMesh(const ModelMesh& mesh, std::size_t limit, int threads) {
   Findings findings(limit);
   ElementChecker elements(mesh, firstInside(mesh), findings);
-  elements.checkElements();
+  elements.checkElements(threads);
   checkEdgesOf(mesh, elements, threads, findings);
   checkAreas(mesh, elements.areas(), findings);
   return findings.result();

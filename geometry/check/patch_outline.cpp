@@ -1,8 +1,11 @@
 #include "geometry/check/patch_outline.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <iterator>
 
+#include "geometry/base/parallel.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/drawn_part.h"
@@ -58,6 +61,13 @@ bool areNestedInTurn(const FrontInput& outline, const PlaneAxes& axes) {
   return true;
 }
 
+/// Elements that are looked at together; a multiple of OutlinedPatch::kRun.
+constexpr std::size_t kAtOnce = 1 << 15;
+
+auto positionIn(const ModelMesh& mesh) {
+  return [&mesh](VertexId v) -> const Point3& { return mesh.vertices[v.value]; };
+}
+
 }  // namespace
 
 bool areClosed(std::vector<OutlinedPatch::Side> sides) {
@@ -67,8 +77,8 @@ bool areClosed(std::vector<OutlinedPatch::Side> sides) {
   });
 }
 
-PatchOutlines::PatchOutlines(const ModelMesh& mesh)
-    : mesh_(mesh), isOnSegment_(mesh.vertices.size(), 0) {
+PatchOutlines::PatchOutlines(const ModelMesh& mesh, const Repeat& repeat)
+    : mesh_(mesh), repeat_(repeat), isOnSegment_(mesh.vertices.size(), 0) {
   for (const EdgeSegment& segment : mesh.segments) {
     isOnSegment_[segment.from.value] = isOnSegment_[segment.to.value] = 1;
     segments_.push_back(std::minmax(segment.from.value, segment.to.value));
@@ -81,11 +91,30 @@ bool PatchOutlines::isSegment(std::uint32_t a, std::uint32_t b) const {
 }
 
 OutlinedPatch PatchOutlines::patch(std::size_t first, std::size_t last) const {
+  const Ranges ranges(last - first, kAtOnce);
+  std::vector<OutlinedPatch> parts(ranges.count());
+  repeat_(parts.size(), [&](std::size_t i) {
+    const auto elements = ranges[i];
+    parts[i] = partOf(first + elements.front(), first + elements.back() + 1);
+  });
   OutlinedPatch patch{first, last, {}, {}, {}, {}, {}, {}};
-  for (std::size_t begin = first; begin < last; begin += OutlinedPatch::kRun)
-    addRun(begin, std::min(begin + OutlinedPatch::kRun, last), patch);
+  for (const OutlinedPatch& part : parts) {
+    patch.box.add(part.box);
+    std::ranges::copy(part.boxes, std::back_inserter(patch.boxes));
+    patch.normal = patch.normal + part.normal;
+    patch.corners = patch.corners + part.corners;
+    std::ranges::copy(part.sides, std::back_inserter(patch.sides));
+    std::ranges::copy(part.onSegments, std::back_inserter(patch.onSegments));
+  }
   std::sort(patch.sides.begin(), patch.sides.end());
   return patch;
+}
+
+OutlinedPatch PatchOutlines::partOf(std::size_t first, std::size_t last) const {
+  OutlinedPatch part{first, last, {}, {}, {}, {}, {}, {}};
+  for (std::size_t begin = first; begin < last; begin += OutlinedPatch::kRun)
+    addRun(begin, std::min(begin + OutlinedPatch::kRun, last), part);
+  return part;
 }
 
 void PatchOutlines::addRun(std::size_t begin, std::size_t end, OutlinedPatch& patch) const {
@@ -147,7 +176,7 @@ std::optional<PatchOutlines::Loops> PatchOutlines::outline(const std::vector<Sid
 
 bool PatchOutlines::canBeDrawn(const OutlinedPatch& patch) const {
   const Point3 normal = unit(patch.normal);
-  if (!allFace({mesh_, patch.first, patch.last - patch.first}, normal)) return false;
+  if (!allFace(patch, normal)) return false;
   const std::optional<Loops> loops = outline(patch.sides);
   if (!loops || loops->empty()) return false;
   FrontInput boundary;
@@ -161,6 +190,32 @@ bool PatchOutlines::canBeDrawn(const OutlinedPatch& patch) const {
   return crossingsOf(boundary, inPlane, 1).empty() && areNestedInTurn(boundary, axes);
 }
 
+bool PatchOutlines::allFace(const OutlinedPatch& patch, const Point3& normal) const {
+  const Ranges ranges(patch.last - patch.first, kAtOnce);
+  std::atomic<bool> doAll = true;
+  repeat_(ranges.count(), [&](std::size_t i) {
+    const auto elements = ranges[i];
+    if (doAll &&
+        !geometry::allFace({mesh_, patch.first + elements.front(), elements.size()}, normal))
+      doAll = false;
+  });
+  return doAll;
+}
+
+bool PatchOutlines::allAreIn(StarShape& star, const OutlinedPatch& patch) const {
+  const Ranges ranges(patch.last - patch.first, kAtOnce);
+  std::vector<StarShape> parts(ranges.count(), star.forOthers());
+  std::atomic<bool> areAll = true;
+  repeat_(parts.size(), [&](std::size_t i) {
+    for (const std::size_t e : ranges[i]) {
+      if (!areAll) return;
+      if (!parts[i].takes(mesh_.elements[patch.first + e], positionIn(mesh_))) areAll = false;
+    }
+  });
+  for (const StarShape& part : parts) star.add(part);
+  return areAll;
+}
+
 bool PatchOutlines::isStarShaped(std::span<const OutlinedPatch* const> patches) const {
   Point3 sum;
   std::size_t count = 0;
@@ -169,18 +224,14 @@ bool PatchOutlines::isStarShaped(std::span<const OutlinedPatch* const> patches) 
     sum = sum + patch->corners;
   }
   const Point3 centre = (1 / static_cast<double>(count)) * sum;
-  const auto takes = [&](StarShape& star, std::size_t i) {
-    return star.takes(mesh_.elements[i],
-                      [&](VertexId v) -> const Point3& { return mesh_.vertices[v.value]; });
-  };
   // A quick test: one element of each face is enough to reject most models that are not
   // star-shaped.
-  StarShape sample(centre), star(centre);
+  StarShape sample(centre);
   for (const OutlinedPatch* patch : patches)
-    if (!takes(sample, patch->first)) return false;
+    if (!sample.takes(mesh_.elements[patch->first], positionIn(mesh_))) return false;
+  StarShape star = sample.forOthers();
   for (const OutlinedPatch* patch : patches)
-    for (std::size_t i = patch->first; i < patch->last; ++i)
-      if (!takes(star, i)) return false;
+    if (!allAreIn(star, *patch)) return false;
   if (!star.goesAroundOnce()) return false;
   std::vector<Side> sides;
   for (const OutlinedPatch* patch : patches)

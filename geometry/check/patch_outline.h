@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "geometry/base/box_tree.h"
+#include "geometry/check/repeat.h"
 #include "geometry/mesh/model_mesh.h"
 
 namespace af2::geometry {
+
+class StarShape;
 
 /// Data collected in one pass over consecutive elements of a face.
 struct OutlinedPatch {
@@ -35,7 +38,8 @@ bool areClosed(std::vector<OutlinedPatch::Side> sides);
 /// The segments of a mesh, for checking its patches.
 class PatchOutlines {
  public:
-  explicit PatchOutlines(const ModelMesh& mesh);
+  /// repeat  for the elements of large patches; must outlive this
+  PatchOutlines(const ModelMesh& mesh, const Repeat& repeat);
 
   OutlinedPatch patch(std::size_t first, std::size_t last) const;
 
@@ -53,12 +57,16 @@ class PatchOutlines {
   using Side = OutlinedPatch::Side;
   using Loops = std::vector<std::vector<std::uint32_t>>;  ///< of vertices
 
+  OutlinedPatch partOf(std::size_t first, std::size_t last) const;
+  bool allAreIn(StarShape& star, const OutlinedPatch& patch) const;
+  bool allFace(const OutlinedPatch& patch, const Point3& normal) const;
   void addRun(std::size_t begin, std::size_t end, OutlinedPatch& patch) const;
   void addAtSegments(std::span<const VertexId> corners, OutlinedPatch& patch) const;
   std::optional<Loops> outline(const std::vector<Side>& sides) const;
   bool isSegment(std::uint32_t a, std::uint32_t b) const;
 
   const ModelMesh& mesh_;
+  const Repeat& repeat_;
   std::vector<std::uint8_t> isOnSegment_;  ///< by vertex
   std::vector<Side> segments_;             ///< the lower vertex first; sorted
 };

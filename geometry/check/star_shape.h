@@ -17,6 +17,14 @@ class StarShape {
  public:
   explicit StarShape(const Point3& centre) : centre_(centre) {}
 
+  /// For other triangles of the same surface: they have to look the same way as those of this one.
+  StarShape forOthers() const {
+    StarShape others(centre_);
+    others.side_ = side_;
+    return others;
+  }
+  void add(const StarShape& others) { count_ += others.count_; }
+
   /// False: the triangle does not look the same way as those before, or too little, or it is not
   /// certain whether it is met.
   bool takes(const Point3& a, const Point3& b, const Point3& c) {

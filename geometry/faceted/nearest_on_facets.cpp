@@ -42,9 +42,9 @@ std::vector<PointOnFacets> nearestPoints(const Facets& facets, std::span<const P
   };
   constexpr std::size_t kAtOnce = 1024;
   std::vector<PointOnFacets> nearest(points.size());
-  forEachInParallel((points.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
-    const std::size_t end = std::min(points.size(), (part + 1) * kAtOnce);
-    for (std::size_t i = part * kAtOnce; i < end; ++i) {
+  const Ranges ranges(points.size(), kAtOnce);
+  forEachInParallel(ranges.count(), threads, [&](std::size_t part) {
+    for (const std::size_t i : ranges[part]) {
       const Point3& p = points[i];
       const std::uint32_t t =
           tree.nearest(p, std::numeric_limits<double>::infinity(),

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "geometry/base/constants.h"
+#include "geometry/base/parallel.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/model_check.h"
 #include "geometry/fill/fill_limits.h"
@@ -214,6 +216,22 @@ class SharpCorners {
   std::vector<Corner> corners_;
 };
 
+/// Elements that are looked at together.
+constexpr std::size_t kAtOnce = 1 << 14;
+
+/// In order, those with an angle below kSharpAngle, or nearly so: few.
+std::vector<std::size_t> sharpElements(const Mesh& mesh) {
+  const Ranges ranges(mesh.elements.size(), kAtOnce);
+  std::vector<std::vector<std::size_t>> found(ranges.count());
+  forEachInParallel(found.size(), 0, [&](std::size_t range) {
+    for (const std::size_t i : ranges[range])
+      if (hasSharpAngle(mesh, mesh.elements[i].vertices())) found[range].push_back(i);
+  });
+  std::vector<std::size_t> all;
+  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
 /// Edges as long as the height of the element allows at the wanted angle.
 ///
 /// A few merely poor elements among very many do not count: to mesh the face again would cost more
@@ -225,9 +243,8 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, con
   std::optional<SharpCorners> corners;  // seldom asked for
   FaceDiagnosis found;
   std::size_t poor = 0;
-  for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
-    if (!hasSharpAngle(mesh, c)) continue;
+  for (const std::size_t i : sharpElements(mesh)) {
+    const auto c = mesh.elements[i].vertices();
     const double angle = leastAngle(mesh, c);
     if (angle >= kSharpAngle) continue;
     found.hasBadAngle = found.hasBadAngle || angle < kUselessAngle;
@@ -243,6 +260,17 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, con
   const bool isWorthIt = found.isBad || poor * kElementsForOnePoor >= mesh.elements.size();
   if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
   diagnosis = std::move(found);
+}
+
+double areaOf(const Mesh& mesh, const Element& element) {
+  const auto c = element.vertices();
+  const auto at = [&](std::size_t i) -> const Point3& {
+    return mesh.vertices[c[i].value].position;
+  };
+  Point3 sum;
+  for (std::size_t i = 1; i + 1 < c.size(); ++i)
+    sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
+  return length(sum) / 2;
 }
 
 void addElements(const Mesh& mesh, double share, const IsLeast& isLeast,
@@ -323,18 +351,12 @@ void askForRoom(const Mesh& mesh, const IsLeast& isLeast, FaceDiagnosis& diagnos
 }
 
 double areaOfElements(const Mesh& mesh) {
-  double area = 0;
-  for (const Element& element : mesh.elements) {
-    const auto c = element.vertices();
-    const auto at = [&](std::size_t i) -> const Point3& {
-      return mesh.vertices[c[i].value].position;
-    };
-    Point3 sum;
-    for (std::size_t i = 1; i + 1 < c.size(); ++i)
-      sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
-    area += length(sum) / 2;
-  }
-  return area;
+  const Ranges ranges(mesh.elements.size(), kAtOnce);
+  std::vector<double> areas(ranges.count(), 0);
+  forEachInParallel(areas.size(), 0, [&](std::size_t range) {
+    for (const std::size_t i : ranges[range]) areas[range] += areaOf(mesh, mesh.elements[i]);
+  });
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 }  // namespace af2::geometry

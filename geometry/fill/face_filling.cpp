@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "engine/base/error.h"
@@ -9,6 +10,7 @@
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
 #include "geometry/base/constants.h"
+#include "geometry/base/parallel.h"
 #include "geometry/fill/crossed_boundary.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/first_diagonals.h"
@@ -78,9 +80,13 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   mesh.boundary = std::move(boundary.points);
   mesh.uses = std::move(boundary.uses);
   const auto& vertices = result.mesh.vertices;
-  mesh.inside.reserve(vertices.size() - mesh.boundary.size());
-  for (std::size_t i = mesh.boundary.size(); i < vertices.size(); ++i)
-    mesh.inside.push_back(vertices[i].position);
+  constexpr std::size_t kVertices = 1 << 15;
+  const std::size_t before = mesh.boundary.size();
+  mesh.inside.resize(vertices.size() - before);
+  const Ranges ranges(mesh.inside.size(), kVertices);
+  forEachInParallel(ranges.count(), 0, [&](std::size_t range) {
+    for (const std::size_t v : ranges[range]) mesh.inside[v] = vertices[before + v].position;
+  });
   mesh.elements = std::move(result.mesh.elements);
   mesh.origins = std::move(result.mesh.origins);
   mesh.report.elements = mesh.elements.size();
@@ -130,6 +136,20 @@ IsLeast isLeastFor(const FaceFilling& filling) {
     const double least = filling.least(point);
     return least > 0 && filling.wanted.sizeAt(point) <= kMoreThanRounding * least;
   };
+}
+
+/// By vertex.
+std::vector<double> wantedSizes(const FaceFilling& filling, const Mesh& mesh) {
+  constexpr std::size_t kVertices = 1 << 14;
+  const Ranges ranges(mesh.vertices.size(), kVertices);
+  std::vector<double> sizes(mesh.vertices.size());
+  forEachInParallel(ranges.count(), 0, [&](std::size_t range) {
+    std::shared_ptr<const SizeField> own;
+    if (ranges.count() > 1 && filling.makeWanted) own = filling.makeWanted();
+    const SizeField& wanted = own ? *own : filling.wanted;
+    for (const std::size_t v : ranges[range]) sizes[v] = wanted.sizeAt(mesh.vertices[v]);
+  });
+  return sizes;
 }
 
 [[noreturn]] void giveUp(const FaceFilling& filling, const FilledFace& filled, FaceMesh& mesh) {
@@ -182,9 +202,7 @@ void fillAndJudge(const FaceFilling& filling, FaceBoundary& boundary, FaceMesh& 
   }
   if (makesQuads || onlyQuads)
     beginAtBoundaryCorners(boundaryWithFans(boundary), attempt.result.mesh);
-  mesh.wantedSizes.reserve(attempt.result.mesh.vertices.size());
-  for (const SurfacePoint& vertex : attempt.result.mesh.vertices)
-    mesh.wantedSizes.push_back(filling.wanted.sizeAt(vertex));
+  mesh.wantedSizes = wantedSizes(filling, attempt.result.mesh);
   if (onlyQuads) {
     reportTriangles(attempt.result.mesh, mesh.report);
     if (mesh.report.oddLoops.empty())

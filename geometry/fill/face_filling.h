@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "geometry/fill/fill_face.h"
 #include "geometry/mesh/face_mesh.h"
@@ -19,6 +21,8 @@ struct FaceFilling {
   std::function<void(std::vector<StuckPlace>&)> findParameters = {};
   /// The smallest size that is allowed at a point; may be empty, then all are.
   std::function<double(const SurfacePoint&)> least = {};
+  /// Makes `wanted` for another thread; may be empty, then all may use the same.
+  std::function<std::shared_ptr<const SizeField>()> makeWanted = {};
 };
 
 /// Fills the face, optimises and judges the mesh, and stores the mesh, or the reason for its

@@ -1,53 +1,41 @@
 // Writes binary values as base64. Not installed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 #include "geometry/io/output_file.h"
 
 namespace af2::geometry {
 
-/// Encodes a stream of values to base64, three bytes at a time.
+/// Encodes a stream of values to base64, many at a time.
 class Base64Stream {
  public:
   explicit Base64Stream(OutputFile& file) : file_(file) {}
 
   template <class T>
   void put(T value) {
-    unsigned char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof value);
-    for (const unsigned char byte : bytes) {
-      group_ = group_ << 8 | byte;
-      if (++held_ == 3) encodeGroup();
-    }
+    if (kBlock - used_ < sizeof value) encodeGroups();
+    std::memcpy(bytes_.data() + used_, &value, sizeof value);
+    used_ += sizeof value;
+  }
+  void bytes(std::string_view many) {
+    for (const char byte : many) put(byte);
   }
 
   /// Must be called after the last value.
-  void finish() {
-    if (held_ == 0) return;
-    const int missing = 3 - held_;
-    group_ <<= 8 * missing;
-    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
-                            missing == 2 ? '=' : kDigits[group_ >> 6 & 63], '='};
-    file_.bytes(digits, sizeof digits);
-  }
+  void finish();
 
  private:
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  static constexpr std::size_t kGroup = 3, kBlock = kGroup << 12;
 
-  void encodeGroup() {
-    const char digits[4] = {kDigits[group_ >> 18 & 63], kDigits[group_ >> 12 & 63],
-                            kDigits[group_ >> 6 & 63], kDigits[group_ & 63]};
-    file_.bytes(digits, sizeof digits);
-    group_ = 0;
-    held_ = 0;
-  }
+  void encodeGroups();
 
   OutputFile& file_;
-  std::uint32_t group_ = 0;
-  int held_ = 0;
+  std::array<unsigned char, kBlock> bytes_;  ///< not encoded yet
+  std::size_t used_ = 0;
 };
 
 }  // namespace af2::geometry

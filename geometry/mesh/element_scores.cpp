@@ -85,9 +85,9 @@ std::vector<float> sliceScores(const MeshSlice& slice, const RuleSetDefinition& 
                                int threads) {
   constexpr std::size_t kAtOnce = 4096;
   std::vector<float> scores(slice.elements.size());
-  forEachInParallel((scores.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
-    const std::size_t end = std::min(scores.size(), (part + 1) * kAtOnce);
-    for (std::size_t e = part * kAtOnce; e < end; ++e) scores[e] = scoreOf(slice, e, rules);
+  const Ranges ranges(scores.size(), kAtOnce);
+  forEachInParallel(ranges.count(), threads, [&](std::size_t part) {
+    for (const std::size_t e : ranges[part]) scores[e] = scoreOf(slice, e, rules);
   });
   return scores;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/base/parallel.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -46,19 +48,34 @@ bool isTurnedAlike(const ModelMesh& mesh) {
   return sides == reversed;
 }
 
+/// Of the pyramid, or two tetrahedra, between an element and a point.
+double sixfoldVolume(const MeshSlice& slice, const Element& element, const Point3& apex) {
+  const auto& [a, b, c, d] = element.corners;
+  const auto at = [&](VertexId v) { return slice.position(v) - apex; };
+  const Point3 first = at(a), third = at(c);
+  double volume = dot(first, cross(at(b), third));
+  if (!d.isNone()) volume += dot(first, cross(third, at(d)));
+  return volume;
+}
+
 /// Positive if the elements are counter-clockwise seen from outside.
 double volumeOf(const ModelMesh& mesh) {
+  constexpr std::size_t kAtOnce = 1 << 15;
   std::optional<Point3> origin;  // a corner of the first element
   double sum = 0;
   forEachSlice(mesh, [&](const MeshSlice& slice) {
-    for (const Element& element : slice.elements) {
-      const auto& [a, b, c, d] = element.corners;
-      if (!origin) origin = slice.position(a);
-      const auto at = [&](VertexId v) { return slice.position(v) - *origin; };
-      const Point3 first = at(a), third = at(c);
-      sum += dot(first, cross(at(b), third));
-      if (!d.isNone()) sum += dot(first, cross(third, at(d)));
-    }
+    if (slice.elements.empty()) return;
+    if (!origin) origin = slice.position(slice.elements.front().corners.front());
+    const Ranges ranges(slice.elements.size(), kAtOnce);
+    takeInOrder(
+        ranges.count(), 0,
+        [&](std::size_t range) {
+          double part = 0;
+          for (const std::size_t i : ranges[range])
+            part += sixfoldVolume(slice, slice.elements[i], *origin);
+          return part;
+        },
+        [&](double part) { sum += part; });
   });
   return sum / 6;
 }

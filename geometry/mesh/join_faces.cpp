@@ -1,6 +1,9 @@
 #include "geometry/mesh/join_faces.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -36,18 +39,21 @@ class Assembly {
  private:
   static constexpr std::uint32_t kUnused = 0xffffffffu;
 
-  void numberBoundary(const std::vector<FaceMesh>& faces) {
-    std::vector<std::vector<bool>> isUsed(faces.size());  // by vertex of the boundary
-    forEachInParallel(faces.size(), options_.threads, [&](std::size_t i) {
-      if (faces[i].bulk) {
-        isUsed[i] = faces[i].bulk->counts().isUsed;
-        return;
-      }
-      isUsed[i].assign(faces[i].boundary.size(), false);
-      for (const Element& element : faces[i].elements)
-        for (const VertexId v : element.vertices())
-          if (v.value < isUsed[i].size()) isUsed[i][v.value] = true;
+  /// By vertex of the boundary: whether the face has an element there.
+  std::vector<bool> usedOnBoundary(const FaceMesh& face) const {
+    if (face.bulk) return face.bulk->counts().isUsed;
+    std::vector<std::atomic<bool>> isUsed(face.boundary.size());
+    inRanges(face.elements.size(), [&](std::size_t i) {
+      for (const VertexId v : face.elements[i].vertices())
+        if (v.value < isUsed.size()) isUsed[v.value].store(true, std::memory_order_relaxed);
     });
+    return {isUsed.begin(), isUsed.end()};
+  }
+
+  void numberBoundary(const std::vector<FaceMesh>& faces) {
+    std::vector<std::vector<bool>> isUsed(faces.size());
+    forEachInParallel(faces.size(), options_.threads,
+                      [&](std::size_t i) { isUsed[i] = usedOnBoundary(faces[i]); });
     ids_.assign(divided_.points.size(), kUnused);
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t v = 0; v < isUsed[i].size(); ++v)
@@ -74,11 +80,22 @@ class Assembly {
       next.vertex += face.inside.size();
       next.element += face.elements.size();
     }
-    mesh_.vertices.resize(next.vertex);
-    mesh_.wantedSizes.resize(next.vertex);
-    mesh_.elements.resize(next.element);
-    mesh_.face.resize(next.element);
-    mesh_.origins.resize(next.element);
+    // At the same time: new memory takes as long to clear as to fill.
+    const std::array<std::function<void()>, 5> arrays{
+        [&] { mesh_.elements.resize(next.element); }, [&] { mesh_.vertices.resize(next.vertex); },
+        [&] { mesh_.face.resize(next.element); }, [&] { mesh_.origins.resize(next.element); },
+        [&] { mesh_.wantedSizes.resize(next.vertex); }};
+    forEachInParallel(arrays.size(), options_.threads, [&](std::size_t i) { arrays[i](); });
+  }
+
+  /// Calls work(i) for 0 to count - 1; those of a large face on several threads.
+  template <class Work>
+  void inRanges(std::size_t count, const Work& work) const {
+    constexpr std::size_t kAtOnce = 1 << 15;
+    const Ranges ranges(count, kAtOnce);
+    forEachInParallel(ranges.count(), options_.threads, [&](std::size_t range) {
+      for (const std::size_t i : ranges[range]) work(i);
+    });
   }
 
   void takeSpooled(const std::vector<FaceMesh>& faces) {
@@ -100,16 +117,15 @@ class Assembly {
 
   void place(const FaceMesh& face, std::size_t index) {
     const std::size_t boundaryCount = face.boundary.size();
-    const auto [vertex, element] = starts_[index];
-    const auto at = [](auto& all, std::size_t i) {
-      return all.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::copy(face.inside.begin(), face.inside.end(), at(mesh_.vertices, vertex));
-    std::copy(face.wantedSizes.end() - static_cast<std::ptrdiff_t>(face.inside.size()),
-              face.wantedSizes.end(), at(mesh_.wantedSizes, vertex));
-    std::copy(face.origins.begin(), face.origins.end(), at(mesh_.origins, element));
-    std::fill_n(at(mesh_.face, element), face.elements.size(), face.report.id);
-    for (std::size_t i = 0; i < face.elements.size(); ++i) {
+    const std::size_t vertex = starts_[index].vertex, element = starts_[index].element;
+    const std::size_t firstInside = face.wantedSizes.size() - face.inside.size();
+    inRanges(face.inside.size(), [&](std::size_t i) {
+      mesh_.vertices[vertex + i] = face.inside[i];
+      mesh_.wantedSizes[vertex + i] = face.wantedSizes[firstInside + i];
+    });
+    inRanges(face.elements.size(), [&](std::size_t i) {
+      mesh_.origins[element + i] = face.origins[i];
+      mesh_.face[element + i] = face.report.id;
       Element& placed = mesh_.elements[element + i];
       placed = face.elements[i];
       for (VertexId& v : placed.corners) {
@@ -117,7 +133,7 @@ class Assembly {
         v = v.value < boundaryCount ? VertexId(ids_[face.boundary[v.value]])
                                     : VertexId(vertex + v.value - boundaryCount);
       }
-    }
+    });
   }
 
   /// On an edge that faces share, the smallest of what they want counts.

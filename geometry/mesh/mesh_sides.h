@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh/model_mesh.h"
+#include "geometry/mesh/vertex_blocks.h"
 
 namespace af2::geometry {
 
@@ -34,31 +35,34 @@ class MeshSides {
   /// isThere   whether to store the sides from a vertex to a higher one
   template <class Elements, class IsThere>
   MeshSides(const ModelMesh& mesh, const Elements& elements, const IsThere& isThere)
-      : MeshSides(mesh.vertices.size(), mesh.elements, elements, isThere) {}
-  /// The same for elements by themselves.
+      : MeshSides({0, mesh.vertices.size()}, mesh.elements, elements, isThere) {}
+  /// The same for elements by themselves, and the sides of some vertices.
   ///
-  /// vertices  one more than the highest number of a corner
-  /// of        all elements
+  /// of  all elements
   template <class Elements, class IsThere>
-  MeshSides(std::size_t vertices, std::span<const Element> of, const Elements& elements,
+  MeshSides(VertexRange vertices, std::span<const Element> of, const Elements& elements,
             const IsThere& isThere)
-      : first_(vertices + 2, 0) {
+      : begin_(vertices.begin), first_(vertices.end - vertices.begin + 2, 0) {
+    const auto isStored = [&](std::uint32_t from, const MeshSide& side) {
+      return vertices.contains(from) && isThere(from, side.to);
+    };
     forEachSide(of, elements, [&](std::uint32_t from, const MeshSide& side) {
-      if (isThere(from, side.to)) ++first_[from + 2];
+      if (isStored(from, side)) ++first_[from - begin_ + 2];
     });
     for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
     sides_.resize(first_.back());
     // first_[v + 1] is the index of the next side of v; when all are placed, it is the end of v's
     // sides.
     forEachSide(of, elements, [&](std::uint32_t from, const MeshSide& side) {
-      if (isThere(from, side.to)) sides_[first_[from + 1]++] = side;
+      if (isStored(from, side)) sides_[first_[from - begin_ + 1]++] = side;
     });
     for (std::size_t v = 0; v + 2 < first_.size(); ++v) sort(first_[v], first_[v + 1]);
   }
 
   /// The sides of a vertex, by their higher vertex and in the order of the elements.
   std::span<const MeshSide> of(std::size_t vertex) const {
-    return {sides_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
+    const std::size_t v = vertex - begin_;
+    return {sides_.data() + first_[v], first_[v + 1] - first_[v]};
   }
   std::size_t count() const { return sides_.size(); }
 
@@ -66,7 +70,7 @@ class MeshSides {
   /// higher one; `sides` are those of the elements that have it, at least one.
   template <class Visit>
   void forEachEdge(const Visit& visit) const {
-    for (std::size_t v = 0; v + 2 < first_.size(); ++v) {
+    for (std::size_t v = begin_; v + 2 < begin_ + first_.size(); ++v) {
       std::span<const MeshSide> left = of(v);
       while (!left.empty()) {
         std::size_t count = 1;
@@ -109,6 +113,7 @@ class MeshSides {
     }
   }
 
+  std::size_t begin_;  ///< the first vertex
   std::vector<std::uint32_t> first_;
   std::vector<MeshSide> sides_;
 };

@@ -79,10 +79,10 @@ class Finder {
   template <class Find>
   void findAll(std::size_t count, const Find& find) {
     constexpr std::size_t kAtOnce = 4096;
-    std::vector<Sources> parts((count + kAtOnce - 1) / kAtOnce);
+    const Ranges ranges(count, kAtOnce);
+    std::vector<Sources> parts(ranges.count());
     forEachInParallel(parts.size(), threads_, [&](std::size_t part) {
-      const std::size_t end = std::min(count, (part + 1) * kAtOnce);
-      for (std::size_t i = part * kAtOnce; i < end; ++i) find(i, parts[part]);
+      for (const std::size_t i : ranges[part]) find(i, parts[part]);
     });
     for (const Sources& part : parts) sources_.insert(sources_.end(), part.begin(), part.end());
   }

@@ -21,6 +21,10 @@ std::shared_ptr<SpoolFile> spoolOf(const ModelMesh& mesh) {
   return mesh.spooled ? mesh.spooled->file() : nullptr;
 }
 
+/// Elements that are looked at together.
+constexpr std::size_t kAtOnce = 1 << 15;
+using Numbers = std::ranges::iota_view<std::size_t, std::size_t>;
+
 double squared(const Point3& p) { return dot(p, p); }
 
 double triangleQuality(const Point3& a, const Point3& b, const Point3& c) {
@@ -61,16 +65,24 @@ struct Corner {
 
 class Angles {
  public:
-  void add(const MeshSlice& slice) {
-    for (const Element& element : slice.elements) {
+  Angles() = default;
+  Angles(const MeshSlice& slice, Numbers elements) {
+    for (const std::size_t e : elements) {
+      const Element& element = slice.elements[e];
       const std::size_t size = element.vertices().size();
       const auto at = [&](std::size_t i) { return slice.position(element.corners[i % size]); };
-      for (std::size_t i = 0; i < size; ++i) {
-        const Corner here(at(i + 1) - at(i), at(i + size - 1) - at(i));
-        if (!sharpest_ || here.isSharperThan(*sharpest_)) sharpest_ = here;
-        if (!bluntest_ || bluntest_->isSharperThan(here)) bluntest_ = here;
-      }
+      for (std::size_t i = 0; i < size; ++i)
+        add(Corner(at(i + 1) - at(i), at(i + size - 1) - at(i)));
     }
+  }
+  void add(const MeshSlice& slice, int threads) {
+    const Ranges ranges(slice.elements.size(), kAtOnce);
+    takeInOrder(
+        ranges.count(), threads, [&](std::size_t i) { return Angles(slice, ranges[i]); },
+        [&](const Angles& some) {
+          for (const auto& corner : {some.sharpest_, some.bluntest_})
+            if (corner) add(*corner);
+        });
   }
   void tell(MeshQuality& result) const {
     result.minAngle = sharpest_->degrees();
@@ -78,6 +90,11 @@ class Angles {
   }
 
  private:
+  void add(const Corner& corner) {
+    if (!sharpest_ || corner.isSharperThan(*sharpest_)) sharpest_ = corner;
+    if (!bluntest_ || bluntest_->isSharperThan(corner)) bluntest_ = corner;
+  }
+
   std::optional<Corner> sharpest_, bluntest_;
 };
 
@@ -87,20 +104,19 @@ class Shapes {
     values_.reserve(elementCount(mesh));
   }
 
-  void add(const MeshSlice& slice) {
-    for (std::size_t i = 0; i < slice.elements.size(); ++i) {
-      const double value = shapeQuality(slice, slice.elements[i]);
-      values_.add(value);
-      if (hasWorst_ && !(value < worst_.min)) continue;
-      hasWorst_ = true;
-      worst_.min = value;
-      worst_.worstFace = slice.face(i);
-      worst_.worstPlace = {};
-      const auto corners = slice.elements[i].vertices();
-      for (const VertexId v : corners)
-        worst_.worstPlace =
-            worst_.worstPlace + 1.0 / static_cast<double>(corners.size()) * slice.position(v);
-    }
+  void add(const MeshSlice& slice, int threads) {
+    const Ranges ranges(slice.elements.size(), kAtOnce);
+    takeInOrder(
+        ranges.count(), threads,
+        [&](std::size_t range) {
+          std::vector<double> values;
+          for (const std::size_t i : ranges[range])
+            values.push_back(shapeQuality(slice, slice.elements[i]));
+          return values;
+        },
+        [&, i = std::size_t{0}](const std::vector<double>& values) mutable {
+          for (const double value : values) add(slice, i++, value);
+        });
   }
   void tell(MeshQuality& result) {
     result.min = worst_.min;
@@ -111,6 +127,19 @@ class Shapes {
   }
 
  private:
+  void add(const MeshSlice& slice, std::size_t i, double value) {
+    values_.add(value);
+    if (hasWorst_ && !(value < worst_.min)) return;
+    hasWorst_ = true;
+    worst_.min = value;
+    worst_.worstFace = slice.face(i);
+    worst_.worstPlace = {};
+    const auto corners = slice.elements[i].vertices();
+    for (const VertexId v : corners)
+      worst_.worstPlace =
+          worst_.worstPlace + 1.0 / static_cast<double>(corners.size()) * slice.position(v);
+  }
+
   Samples values_;
   bool hasWorst_ = false;
   MeshQuality worst_;  ///< of the first of the worst elements
@@ -124,6 +153,27 @@ struct MeshEdge {
   bool isOfLayer = false;  ///< of no other elements
 };
 
+/// Statistics of some edges.
+struct EdgeMeasures {
+  LengthRatio lengths{.leastWanted = std::numeric_limits<double>::infinity(),
+                      .leastLength = std::numeric_limits<double>::infinity()};
+  std::vector<double> ratios;  ///< in the order of the edges
+  std::size_t free = 0;
+
+  void add(const MeshEdge& edge, bool hasSizes) {
+    free += edge.uses == 1;
+    if (!hasSizes || edge.isOfLayer) return;
+    lengths.leastLength = std::min(lengths.leastLength, edge.length);
+    lengths.mostLength = std::max(lengths.mostLength, edge.length);
+    lengths.leastWanted = std::min(lengths.leastWanted, edge.wanted);
+    lengths.mostWanted = std::max(lengths.mostWanted, edge.wanted);
+    const double ratio = edge.length / edge.wanted;
+    ratios.push_back(ratio);
+    const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratio);
+    ++lengths.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
+  }
+};
+
 /// Counts edges and measures their lengths.
 class Edges {
  public:
@@ -132,17 +182,28 @@ class Edges {
         hasLayers_(!mesh.ruleNames.empty() && mesh.ruleNames.back() == kLayerName),
         hasSizes_(!mesh.wantedSizes.empty()),
         ratios_(spoolOf(mesh)) {
-    result_.leastLength = result_.leastWanted = std::numeric_limits<double>::infinity();
     // Each element has half of its sides.
     if (hasSizes_)
       ratios_.reserve((3 * elementCount(mesh) + quadCount(mesh)) / 2 + mesh.segments.size());
   }
 
   /// The whole mesh.
-  void add(const MeshSides& sides, const MeshSlice& slice) {
-    sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
-      add(edgeOf(from, VertexId(used.front().to), used, slice));
-    });
+  void addAll(const MeshSlice& slice, int threads) {
+    const VertexBlocks blocks(slice.vertices.size(), slice.elements, threads);
+    takeInOrder(
+        blocks.count(), threads,
+        [&](std::size_t block) {
+          std::vector<std::size_t> elements;
+          blocks.forEachElementAt(block, [&](std::size_t i) { elements.push_back(i); });
+          const MeshSides sides(blocks[block], slice.elements, elements,
+                                [](std::uint32_t, std::uint32_t) { return true; });
+          EdgeMeasures edges;
+          sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
+            edges.add(edgeOf(from, VertexId(used.front().to), used, slice), hasSizes_);
+          });
+          return edges;
+        },
+        [&](const EdgeMeasures& edges) { take(edges); });
   }
 
   /// A face of a mesh on disk. Edges between shared vertices may be those of other faces, too.
@@ -165,26 +226,28 @@ class Edges {
     const auto inMesh = [&](std::uint32_t v) {
       return VertexId(v < count ? shared[v] : v - count + slice.firstVertex);
     };
-    const MeshSides sides(count + slice.vertices.size(), elements,
+    const MeshSides sides({0, count + slice.vertices.size()}, elements,
                           std::views::iota(std::size_t{0}, elements.size()),
                           [](std::uint32_t, std::uint32_t) { return true; });
+    EdgeMeasures inside;
     sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
       const MeshEdge edge = edgeOf(inMesh(from.value), inMesh(used.front().to), used, slice);
       if (used.front().to < count)
         between_.push_back(edge);
       else
-        add(edge);
+        inside.add(edge, hasSizes_);
     });
+    take(inside);
   }
 
   void tell(MeshQuality& result) {
     addBetween();
-    result.freeEdges = free_;
+    result.freeEdges = all_.free;
     if (ratios_.count() == 0) return;
-    result_.mean = ratios_.mean();
-    result_.p5 = ratios_.percentile(0.05);
-    result_.p95 = ratios_.percentile(0.95);
-    result.edges = result_;
+    all_.lengths.mean = ratios_.mean();
+    all_.lengths.p5 = ratios_.percentile(0.05);
+    all_.lengths.p95 = ratios_.percentile(0.95);
+    result.edges = all_.lengths;
   }
 
  private:
@@ -205,38 +268,38 @@ class Edges {
            slice.origins[element].rule + std::size_t{1} == mesh_.ruleNames.size();
   }
 
-  void add(const MeshEdge& edge) {
-    free_ += edge.uses == 1;
-    if (!hasSizes_ || edge.isOfLayer) return;
-    result_.leastLength = std::min(result_.leastLength, edge.length);
-    result_.mostLength = std::max(result_.mostLength, edge.length);
-    result_.leastWanted = std::min(result_.leastWanted, edge.wanted);
-    result_.mostWanted = std::max(result_.mostWanted, edge.wanted);
-    const double ratio = edge.length / edge.wanted;
-    ratios_.add(ratio);
-    const auto bin = std::ranges::upper_bound(LengthRatio::kBounds, ratio);
-    ++result_.histogram[static_cast<std::size_t>(bin - LengthRatio::kBounds.begin())];
+  void take(const EdgeMeasures& some) {
+    for (const double ratio : some.ratios) ratios_.add(ratio);
+    all_.free += some.free;
+    LengthRatio& all = all_.lengths;
+    all.leastLength = std::min(all.leastLength, some.lengths.leastLength);
+    all.mostLength = std::max(all.mostLength, some.lengths.mostLength);
+    all.leastWanted = std::min(all.leastWanted, some.lengths.leastWanted);
+    all.mostWanted = std::max(all.mostWanted, some.lengths.mostWanted);
+    for (std::size_t i = 0; i < all.histogram.size(); ++i)
+      all.histogram[i] += some.lengths.histogram[i];
   }
 
   void addBetween() {
     const auto ends = [](const MeshEdge& edge) { return std::pair(edge.from, edge.to); };
     std::ranges::stable_sort(between_, {}, ends);
+    EdgeMeasures merged;
     for (std::size_t i = 0, next = 0; i < between_.size(); i = next) {
       MeshEdge edge = between_[i];
       for (next = i + 1; next < between_.size() && ends(between_[next]) == ends(edge); ++next) {
         edge.uses += between_[next].uses;
         edge.isOfLayer = edge.isOfLayer && between_[next].isOfLayer;
       }
-      add(edge);
+      merged.add(edge, hasSizes_);
     }
+    take(merged);
     between_.clear();
   }
 
   const ModelMesh& mesh_;
   bool hasLayers_, hasSizes_;
-  Samples ratios_;  ///< nothing else is kept for each edge: there are millions
-  LengthRatio result_;
-  std::size_t free_ = 0;
+  Samples ratios_;                 ///< nothing else is kept for each edge: there are millions
+  EdgeMeasures all_;               ///< without their ratios
   std::vector<MeshEdge> between_;  ///< between shared vertices, of one face each
 };
 
@@ -245,17 +308,17 @@ void measureInMemory(const ModelMesh& mesh, int threads, MeshQuality& result) {
     forEachInParallel(3, threads, [&](std::size_t part) {
       if (part == 0) {
         Edges edges(mesh);
-        edges.add(MeshSides(mesh), whole);
+        edges.addAll(whole, threads);
         edges.tell(result);
       }
       if (part == 1) {
         Shapes shapes(mesh);
-        shapes.add(whole);
+        shapes.add(whole, threads);
         shapes.tell(result);
       }
       if (part == 2) {
         Angles angles;
-        angles.add(whole);
+        angles.add(whole, threads);
         angles.tell(result);
       }
     });
@@ -268,8 +331,8 @@ void measureOnDisk(const ModelMesh& mesh, MeshQuality& result) {
   Angles angles;
   forEachSlice(mesh, [&](const MeshSlice& slice) {
     edges.add(slice);
-    shapes.add(slice);
-    angles.add(slice);
+    shapes.add(slice, 1);
+    angles.add(slice, 1);
   });
   edges.tell(result);
   shapes.tell(result);

@@ -62,10 +62,7 @@ inline int eulerNumber(const geometry::ModelMesh& mesh) {
 
 /// How many places there are at which elements cross or fold.
 inline std::size_t crossingsOf(const geometry::ModelMesh& mesh) {
-  const auto oneByOne = [](std::size_t count, const auto& work) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
-  };
-  return elementCrossings(mesh, oneByOne).size();
+  return elementCrossings(mesh, geometry::kOneByOne).size();
 }
 
 /// Every face complete, all checks passed.

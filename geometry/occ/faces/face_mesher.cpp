@@ -186,6 +186,9 @@ class FaceMesher {
                         request.findMiddles};
     filling.findParameters = [&](std::vector<StuckPlace>& places) { findParameters(places); };
     filling.least = [&](const SurfacePoint& point) { return wanted.leastAt(point); };
+    filling.makeWanted = [&] {
+      return std::make_shared<const OwnWanted>(context_, face_, original_, size);
+    };
     fillAndJudge(filling, boundary, mesh);
   }
 
@@ -224,23 +227,30 @@ class FaceMesher {
                                       mostArea(context_.model.face(face_), surface_, input));
   }
 
-  /// A size field with a surface of its own: OpenCASCADE's evaluators are not to be shared.
-  struct OwnSize final : SizeField {
-    OwnSize(const FaceMeshingContext& context, int face, const FaceSurface& original,
-            const GradedSize& size, ChartKind kind)
-        : surface(original),
-          wanted(context.sizes, face, surface),
-          graded(wanted, size),
-          map(surface.makePlaneMap(kind)) {
-      if (map) laidOut.emplace(graded, *map);
-    }
-    double sizeAt(const SurfacePoint& point) const override {
-      return laidOut ? laidOut->sizeAt(point) : graded.sizeAt(point);
-    }
+  /// The sizes before they are graded, with a surface of their own: OpenCASCADE's evaluators are
+  /// not to be shared.
+  struct OwnWanted final : SizeField {
+    OwnWanted(const FaceMeshingContext& context, int face, const FaceSurface& original,
+              const GradedSize& size)
+        : surface(original), wanted(context.sizes, face, surface), graded(wanted, size) {}
+    double sizeAt(const SurfacePoint& point) const override { return graded.ungradedAt(point); }
 
     FaceSurface surface;
     FaceSize wanted;
     GradedSize graded;
+  };
+
+  struct OwnSize final : SizeField {
+    OwnSize(const FaceMeshingContext& context, int face, const FaceSurface& original,
+            const GradedSize& size, ChartKind kind)
+        : own(context, face, original, size), map(own.surface.makePlaneMap(kind)) {
+      if (map) laidOut.emplace(own.graded, *map);
+    }
+    double sizeAt(const SurfacePoint& point) const override {
+      return laidOut ? laidOut->sizeAt(point) : own.graded.sizeAt(point);
+    }
+
+    OwnWanted own;
     std::unique_ptr<PlaneMap> map;  ///< null: charts see the surface itself
     std::optional<LaidOutSize> laidOut;
   };
@@ -250,7 +260,7 @@ class FaceMesher {
     if (size->map && kind == ChartKind::Conformal)
       return {std::make_unique<ConformalChartMaker>(*size->map), std::move(size)};
     if (size->map) return {std::make_unique<PlaneChartMaker>(), std::move(size)};
-    auto charts = size->surface.makeCharts(kind);
+    auto charts = size->own.surface.makeCharts(kind);
     return {std::move(charts), std::move(size)};
   }
 

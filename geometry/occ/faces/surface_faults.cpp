@@ -205,9 +205,7 @@ class FaultSearch {
   std::optional<SurfaceFault> crossing() {
     constexpr std::size_t kTried = 40;
     const ModelMesh mesh = coarseMesh();
-    const auto found = elementCrossings(mesh, [](std::size_t count, const auto& work) {
-      for (std::size_t i = 0; i < count; ++i) work(i);
-    });
+    const auto found = elementCrossings(mesh, kOneByOne);
     const std::size_t step = std::max<std::size_t>(found.size() / kTried, 1);
     for (std::size_t i = 0; i < found.size(); i += step) {
       if (found[i].isFold) continue;

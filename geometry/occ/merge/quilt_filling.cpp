@@ -87,7 +87,8 @@ class Filling {
                   [](std::vector<StuckPlace>& places) {
                     for (StuckPlace& place : places) place.u = place.v = 0;
                   },
-                  [&](const SurfacePoint&) { return task_.sizes.minSize; }},
+                  [&](const SurfacePoint&) { return task_.sizes.minSize; },
+                  [&] { return std::make_shared<const OwnUngraded>(*this, graded); }},
                  boundary, mesh);
     if (flat_) return;
     for (Point3& vertex : mesh.inside) vertex = surface_.settled(vertex);
@@ -113,6 +114,14 @@ class Filling {
     QuiltCharts charts;
     std::unique_ptr<SizeField> wanted;
     GradedSize graded;
+  };
+
+  struct OwnUngraded final : SizeField {
+    OwnUngraded(const Filling& filling, const GradedSize& shared) : size(filling, shared) {}
+    double sizeAt(const SurfacePoint& point) const override {
+      return size.graded.ungradedAt(point);
+    }
+    OwnSize size;
   };
 
   PieceTools makeTools(const GradedSize& graded, ChartKind kind) const {

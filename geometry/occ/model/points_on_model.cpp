@@ -180,10 +180,10 @@ std::vector<PointOnModel> nearestPoints(const Model& model, std::span<const Poin
   constexpr std::size_t kAtOnce =
       512;  // setting up the search on a face takes as long as many points
   std::vector<PointOnModel> nearest(points.size());
-  forEachInParallel((points.size() + kAtOnce - 1) / kAtOnce, threads, [&](std::size_t part) {
+  const Ranges ranges(points.size(), kAtOnce);
+  forEachInParallel(ranges.count(), threads, [&](std::size_t part) {
     ModelFeet feet(model.shape(), boxes);
-    const std::size_t end = std::min(points.size(), (part + 1) * kAtOnce);
-    for (std::size_t i = part * kAtOnce; i < end; ++i) {
+    for (const std::size_t i : ranges[part]) {
       const bool isAny = faces.empty() || faces[i] == 0;
       nearest[i] = isAny ? feet.onAll(points[i]) : feet.onFace(points[i], faces[i]);
       if (nearest[i].face == 0) nearest[i].point.position = points[i];

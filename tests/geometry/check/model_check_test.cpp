@@ -1,7 +1,10 @@
 #include "geometry/check/model_check.h"
-#include "tests/support/element.h"
-
 #include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/element.h"
+#include "tests/support/planar_meshes.h"
 
 namespace af2::geometry {
 namespace {
@@ -190,6 +193,80 @@ TEST(ModelCheck, StopsAtTheLimit) {
   ModelMesh mesh = roof();
   mesh.segments.clear();
   EXPECT_EQ(checkModelMesh(mesh, 2).size(), 2u);
+}
+
+/// A square of n x n squares on one face, with more elements than are looked at together.
+ModelMesh largeSquare() {
+  constexpr std::size_t kSquares = 300;
+  ModelMesh mesh = squareGrid(kSquares);
+  const auto addSegment = [&](std::size_t from, std::size_t to) {
+    mesh.segments.push_back({v(from), v(to), 1, 1});
+  };
+  for (std::size_t i = 0; i < kSquares; ++i) {
+    const std::size_t row = kSquares + 1;
+    addSegment(i, i + 1);
+    addSegment(kSquares * row + i, kSquares * row + i + 1);
+    addSegment(i * row, (i + 1) * row);
+    addSegment(i * row + kSquares, (i + 1) * row + kSquares);
+  }
+  mesh.faces.resize(1);
+  mesh.faces[0].id = 1;
+  return mesh;
+}
+
+/// The same with the vertices on segments first, as meshes of models have them: then vertices
+/// inside are looked at by what surrounds them.
+ModelMesh withSegmentsFirst(const ModelMesh& mesh) {
+  std::vector<bool> isOnSegment(mesh.vertices.size(), false);
+  for (const EdgeSegment& segment : mesh.segments)
+    isOnSegment[segment.from.value] = isOnSegment[segment.to.value] = true;
+  ModelMesh sorted = mesh;
+  std::vector<VertexId> ids(mesh.vertices.size());
+  std::size_t next = 0;
+  for (const bool first : {true, false})
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      if (isOnSegment[i] == first) {
+        sorted.vertices[next] = mesh.vertices[i];
+        ids[i] = v(next++);
+      }
+  for (Element& element : sorted.elements)
+    for (VertexId& corner : element.corners)
+      if (!corner.isNone()) corner = ids[corner.value];
+  for (EdgeSegment& segment : sorted.segments) {
+    segment.from = ids[segment.from.value];
+    segment.to = ids[segment.to.value];
+  }
+  return sorted;
+}
+
+TEST(ModelCheck, OfALargeMeshFindsTheSameOnAnyNumberOfThreads) {
+  for (const ModelMesh& sound : {largeSquare(), withSegmentsFirst(largeSquare())}) {
+    EXPECT_EQ(checkModelMesh(sound, 100, 2), std::vector<MeshFinding>());
+    for (const std::size_t at : {std::size_t{45'150}, sound.elements.size() - 400}) {
+      ModelMesh wrong = sound;
+      std::ranges::reverse(wrong.elements[at].corners);
+      const std::vector<MeshFinding> findings = checkModelMesh(wrong, 100, 1);
+      EXPECT_EQ(findings.size(), 4u);  // its sides
+      for (const MeshFinding& finding : findings)
+        EXPECT_EQ(finding.what, "two elements use an edge in the same direction");
+      EXPECT_EQ(checkModelMesh(wrong, 100, 2), findings);
+    }
+    ModelMesh holed = sound;
+    holed.elements.erase(holed.elements.begin() + 45'150);
+    EXPECT_EQ(checkModelMesh(holed, 100, 2).size(), 4u);
+  }
+}
+
+TEST(ModelCheck, OfALargeMeshTellsFindingsInTheOrderOfTheElements) {
+  ModelMesh mesh = largeSquare();
+  for (const std::size_t e : {80'000u, 10u, 40'000u}) mesh.elements[e].corners[1] = v(1'000'000);
+  mesh.elements[50'000].corners[1] = mesh.elements[50'000].corners[0];
+  const std::vector<MeshFinding> findings = checkModelMesh(mesh, 4, 2);
+  ASSERT_EQ(findings.size(), 4u);
+  for (const std::size_t i : {0u, 1u, 3u})
+    EXPECT_EQ(findings[i].what, "an element has a corner that is not a vertex");
+  EXPECT_EQ(findings[2].what, "an element has a corner twice");
+  EXPECT_EQ(checkModelMesh(mesh, 4, 1), findings);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ ModelMesh closed(int n, const Place& place) {
 }
 
 bool isStarShaped(const ModelMesh& mesh) {
-  const PatchOutlines outlines(mesh);
+  const PatchOutlines outlines(mesh, kOneByOne);
   const OutlinedPatch all = outlines.patch(0, mesh.elements.size());
   const OutlinedPatch* const patch = &all;
   return outlines.isStarShaped({&patch, 1});
@@ -51,6 +51,32 @@ bool isStarShaped(const ModelMesh& mesh) {
 TEST(PatchOutlines, KnowABallByAPointInside) {
   EXPECT_TRUE(isStarShaped(closed(8, [](const Point3& p) { return unit(p); })));
   EXPECT_TRUE(isStarShaped(closed(3, [](const Point3& p) { return 5.0 * p; })));
+}
+
+/// With more elements than are looked at together.
+TEST(PatchOutlines, KnowALargeBall) {
+  ModelMesh ball = closed(80, [](const Point3& p) { return unit(p); });
+  EXPECT_TRUE(isStarShaped(ball));
+  std::swap(ball.elements.back().corners[0], ball.elements.back().corners[1]);
+  EXPECT_FALSE(isStarShaped(ball));
+}
+
+TEST(PatchOutlines, AreTheSameWhateverOrderTheirPartsAreFoundIn) {
+  const ModelMesh ball = closed(80, [](const Point3& p) { return unit(p); });
+  const auto lastFirst = [](std::size_t count, const std::function<void(std::size_t)>& work) {
+    for (std::size_t i = count; i-- > 0;) work(i);
+  };
+  const Repeat backwards = lastFirst;
+  const OutlinedPatch one = PatchOutlines(ball, kOneByOne).patch(0, ball.elements.size()),
+                      other = PatchOutlines(ball, backwards).patch(0, ball.elements.size());
+  EXPECT_EQ(one.normal, other.normal);
+  EXPECT_EQ(one.corners, other.corners);
+  EXPECT_EQ(one.onSegments, other.onSegments);
+  ASSERT_EQ(one.boxes.size(),
+            (ball.elements.size() + OutlinedPatch::kRun - 1) / OutlinedPatch::kRun);
+  ASSERT_EQ(one.boxes.size(), other.boxes.size());
+  for (std::size_t i = 0; i < one.boxes.size(); ++i)
+    EXPECT_EQ(one.boxes[i].low, other.boxes[i].low);
 }
 
 TEST(PatchOutlines, KnowABallThatIsTurnedInsideOut) {

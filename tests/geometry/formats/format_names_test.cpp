@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <random>
+#include <utility>
 
 #include "geometry/formats/column_numbers.h"
 
@@ -45,6 +49,31 @@ TEST(ColumnNumbers, LoseLastDigitsIfTheyDoNot) {
     const std::size_t sign = nastran.find_last_of("+-");
     if (sign != std::string::npos && sign > 0) nastran.insert(sign, "e");
     EXPECT_NEAR(std::strtod(nastran.c_str(), nullptr) / value, 1, 1e-9) << nastran;
+  }
+}
+
+/// The form with more digits that one would find by trying all.
+std::string longestInColumns(double value, std::size_t columns) {
+  for (int digits = 17; digits > 1; --digits)
+    for (const auto& [format, precision] : {std::pair(std::chars_format::general, digits),
+                                            std::pair(std::chars_format::scientific, digits - 1)}) {
+      char text[400];
+      const auto end = std::to_chars(text, text + sizeof text, value, format, precision).ptr;
+      if (static_cast<std::size_t>(end - text) <= columns) return {text, end};
+    }
+  return "";
+}
+
+TEST(ColumnNumbers, KeepAsManyDigitsAsFit) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> mantissa(-10, 10);
+  for (int i = 0; i < 20'000; ++i) {
+    const double value = mantissa(random) * std::pow(10, i % 40 - 20);
+    for (const std::size_t columns : {16u, 20u}) {
+      const std::string text = numberInColumns(value, columns);
+      if (std::strtod(text.c_str(), nullptr) == value) continue;
+      EXPECT_EQ(text, longestInColumns(value, columns));
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/planar_meshes.h"
 #include "tests/support/small_meshes.h"
 
 namespace af2::geometry {
@@ -113,6 +114,34 @@ TEST(MeasureQuality, HoldsAnEdgeAgainstTheSizesAtItsEnds) {
   EXPECT_NEAR(measureQuality(mesh).edges.mean, sum / 3, 1e-12);
   mesh.wantedSizes.clear();
   EXPECT_EQ(measureQuality(mesh).edges.mean, 0);
+}
+
+/// With more elements and vertices than are looked at together.
+TEST(MeasureQuality, OfALargeMeshDoesNotDependOnTheNumberOfThreads) {
+  constexpr std::size_t kSquares = 300;
+  ModelMesh mesh = squareGrid(kSquares);
+  mesh.wantedSizes.assign(mesh.vertices.size(), 2);
+  mesh.vertices[70'000].x += 0.3;
+  const MeshQuality one = measureQuality(mesh, 1), two = measureQuality(mesh, 2);
+  EXPECT_EQ(one.freeEdges, 4 * kSquares);
+  std::size_t edges = 0;
+  for (const std::size_t some : one.edges.histogram) edges += some;
+  EXPECT_EQ(edges, 2 * kSquares * (kSquares + 1));
+  EXPECT_NEAR(one.edges.mean, 0.5, 1e-5);
+  EXPECT_NEAR(one.edges.leastLength, 0.7, 1e-12);
+  EXPECT_NEAR(one.edges.mostLength, 1.3, 1e-12);
+  EXPECT_NEAR(one.minAngle, 90 - std::atan(0.3) * 180 / std::acos(-1), 1e-12);
+  EXPECT_NEAR(one.maxAngle, 90 + std::atan(0.3) * 180 / std::acos(-1), 1e-12);
+  EXPECT_NEAR(distance(one.worstPlace, mesh.vertices[70'000]), 0, 1);
+  EXPECT_EQ(one.mean, two.mean);
+  EXPECT_EQ(one.p1, two.p1);
+  EXPECT_EQ(one.worstPlace, two.worstPlace);
+  EXPECT_EQ(one.minAngle, two.minAngle);
+  EXPECT_EQ(one.maxAngle, two.maxAngle);
+  EXPECT_EQ(one.edges.mean, two.edges.mean);
+  EXPECT_EQ(one.edges.p5, two.edges.p5);
+  EXPECT_EQ(one.edges.histogram, two.edges.histogram);
+  EXPECT_EQ(one.freeEdges, two.freeEdges);
 }
 
 }  // namespace

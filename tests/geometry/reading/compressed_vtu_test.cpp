@@ -48,6 +48,15 @@ TEST_F(CompressedVtu, HoldsTheSameMeshInLessSpace) {
   EXPECT_EQ(after.face, before.face);
 }
 
+/// With more blocks than are compressed at once.
+TEST_F(CompressedVtu, HoldsALargeMesh) {
+  const ModelMesh grid = squareGrid(650);
+  written(grid, true);
+  const ModelMesh after = readMesh(file).mesh;
+  EXPECT_EQ(after.vertices, grid.vertices);
+  EXPECT_EQ(after.elements.size(), grid.elements.size());
+}
+
 TEST_F(CompressedVtu, IsRefusedWhereItIsDamaged) {
   const std::string packed = written(squareGrid(20), true);
   const std::size_t array = packed.find("Name=\"Points\"");

@@ -1,0 +1,56 @@
+#include "geometry/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+namespace af2::geometry {
+namespace {
+
+TEST(Ranges, HoldEachNumberOnceInOrder) {
+  for (const std::size_t count : {0u, 1u, 9u, 10u, 11u, 30u}) {
+    const Ranges ranges(count, 10);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < ranges.count(); ++i) {
+      EXPECT_FALSE(ranges[i].empty());
+      for (const std::size_t number : ranges[i]) EXPECT_EQ(number, next++);
+    }
+    EXPECT_EQ(next, count);
+  }
+}
+
+TEST(ForEachInParallel, CallsTheWorkOnceForEachOnAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 7})
+    for (const std::size_t count : {0u, 1u, 2u, 100u}) {
+      std::vector<std::atomic<int>> calls(count);
+      forEachInParallel(count, threads, [&](std::size_t i) { ++calls[i]; });
+      for (const auto& all : calls) EXPECT_EQ(all, 1);
+    }
+}
+
+TEST(ForEachInParallel, PassesErrorsOn) {
+  const auto fail = [](std::size_t i) {
+    if (i == 3) throw std::runtime_error("three");
+  };
+  for (const int threads : {1, 2})
+    EXPECT_THROW(forEachInParallel(9, threads, fail), std::runtime_error);
+  EXPECT_THROW(
+      forEachInParallel(1, 2, [](std::size_t) { throw std::runtime_error("the only one"); }),
+      std::runtime_error);
+}
+
+TEST(TakeInOrder, TakesWhatIsMadeInOrder) {
+  for (const int threads : {1, 2})
+    for (const std::size_t count : {0u, 1u, 5u, 100u}) {
+      std::vector<std::size_t> taken;
+      takeInOrder(
+          count, threads, [](std::size_t i) { return i * i; },
+          [&](std::size_t square) { taken.push_back(square); });
+      ASSERT_EQ(taken.size(), count);
+      for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(taken[i], i * i);
+    }
+}
+
+}  // namespace
+}  // namespace af2::geometry
