@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "geometry/mesh/mesh_volumes.h"
+#include "geometry/volumes/mesh_volumes.h"
 
 namespace af2::geometry {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "geometry/io/formats.h"
-#include "geometry/mesh/mesh_volumes.h"
 #include "geometry/mesh/triangles_of.h"
+#include "geometry/volumes/mesh_volumes.h"
 
 namespace af2::geometry {
 namespace {

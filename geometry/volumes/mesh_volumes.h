@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "geometry/mesh/mesh_cells.h"
 #include "geometry/mesh/model_mesh.h"
+#include "geometry/volumes/mesh_cells.h"
 
 namespace af2::geometry {
 

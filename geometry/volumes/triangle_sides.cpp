@@ -1,4 +1,4 @@
-#include "geometry/mesh/triangle_sides.h"
+#include "geometry/volumes/triangle_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "geometry/mesh/mesh_cells.h"
+#include "geometry/volumes/mesh_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/base/box_tree.h"
-#include "geometry/mesh/triangle_sides.h"
+#include "geometry/volumes/triangle_sides.h"
 
 namespace af2::geometry {
 namespace {

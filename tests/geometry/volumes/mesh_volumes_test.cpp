@@ -1,12 +1,12 @@
 // Which volumes a mesh encloses: materials, voids, solids inside others.
-#include "geometry/mesh/mesh_volumes.h"
+#include "geometry/volumes/mesh_volumes.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numbers>
 
-#include "geometry/mesh/mesh_cells.h"
+#include "geometry/volumes/mesh_cells.h"
 
 namespace af2::geometry {
 namespace {

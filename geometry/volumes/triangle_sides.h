@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh/mesh_cells.h"
+#include "geometry/volumes/mesh_cells.h"
 
 namespace af2::geometry {
 

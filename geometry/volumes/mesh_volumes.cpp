@@ -1,4 +1,4 @@
-#include "geometry/mesh/mesh_volumes.h"
+#include "geometry/volumes/mesh_volumes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "geometry/mesh/mesh_cells.h"
 #include "geometry/mesh/triangles_of.h"
+#include "geometry/volumes/mesh_cells.h"
 
 namespace af2::geometry {
 namespace {
