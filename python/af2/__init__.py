@@ -6,8 +6,8 @@
     mesh.triangles   # (m, 3) int32
     mesh.write("part.vtu")
 
-Models are files, bytes, arrays, or shapes of CadQuery, build123d, pythonocc and Netgen; see `af2.read`. Faces and
-edges of models are numbered from 1, as in `af2 inspect`; points and elements of meshes are numbered from 0. All
+Models are files, bytes, arrays, or shapes of FreeCAD, CadQuery, build123d, pythonocc and Netgen; see `af2.read`. Faces
+and edges of models are numbered from 1, as in `af2 inspect`; points and elements of meshes are numbered from 0. All
 lengths are in the unit of the model: millimetres for STEP and IGES. The guide is docs/python.md.
 """
 

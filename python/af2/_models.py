@@ -106,6 +106,7 @@ def read(model: Any, names: Optional[Mapping[str, Any]] = None) -> Model:
 
             * a path to a STEP, IGES, BREP, STL, OBJ, .poly or .in2d file; the content tells the CAD formats apart;
             * bytes: the content of a STEP, IGES or BREP file;
+            * a shape of FreeCAD, or an object of its documents
             * a shape of CadQuery (Workplane, Shape, Assembly), build123d (Shape, BuildPart), pythonocc or OCP
               (TopoDS_Shape), or Netgen (shapes and OCCGeometry). It is handed over as a BREP file in memory; its faces
               and edges keep their order;
@@ -138,7 +139,7 @@ def _found(model: Any) -> Model:
     content = brep_of(model)
     if content is None:
         raise TypeError(f"af2 cannot mesh an object of type {type(model).__module__}.{type(model).__qualname__}; give a "
-                        "path, bytes, arrays, a shape of CadQuery, build123d, pythonocc or Netgen, or a class with "
+                        "path, bytes, arrays, a shape of FreeCAD, CadQuery, build123d, pythonocc or Netgen, or a class with "
                         "evaluate(uv)")
     return _from_bytes(content, f"<{type(model).__name__}>")
 

@@ -17,7 +17,7 @@ from . import _af2
 
 def brep_of(shape: Any) -> Optional[bytes]:
     """The shape as BREP (or STEP) bytes; None if it is of no known package."""
-    for way in (_netgen, _freecad_or_cadquery, _build123d, _ocp, _pythonocc):
+    for way in (_netgen, _freecad, _cadquery, _build123d, _ocp, _pythonocc):
         content = way(shape)
         if content is not None:
             return content
@@ -64,16 +64,26 @@ def _netgen(shape: Any) -> Optional[bytes]:
     return None
 
 
-def _freecad_or_cadquery(shape: Any) -> Optional[bytes]:
+def _freecad(shape: Any) -> Optional[bytes]:
+    """FreeCAD: an object of a document has a Shape. Shapes themselves are written as those of CadQuery."""
+    inner = getattr(shape, "Shape", None)
+    if not hasattr(inner, "exportBrep"):
+        return None
+    if getattr(inner, "isNull", bool)():
+        raise _af2.InputError(f"the object '{getattr(shape, 'Label', '')}' of FreeCAD has no shape; recompute its document")
+    return _cadquery(inner)
+
+
+def _cadquery(shape: Any) -> Optional[bytes]:
     """CadQuery: a Shape has exportBrep, a Workplane has objects with it, an Assembly or Sketch is converted."""
     if hasattr(shape, "exportBrep"):
         return _through_stream_or_file(shape.exportBrep, f"this {type(shape).__name__}")
     if hasattr(shape, "toCompound"):  # Assembly
-        return _freecad_or_cadquery(shape.toCompound())
+        return _cadquery(shape.toCompound())
     if callable(getattr(shape, "vals", None)) and hasattr(shape, "val"):  # Workplane
-        return _freecad_or_cadquery(_one_of(shape.vals()))
+        return _cadquery(_one_of(shape.vals()))
     if hasattr(shape, "_faces") and hasattr(shape._faces, "exportBrep"):  # Sketch
-        return _freecad_or_cadquery(shape._faces)
+        return _cadquery(shape._faces)
     return None
 
 

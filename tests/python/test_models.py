@@ -211,6 +211,30 @@ class Shapes(Case):
         with self.assertRaisesRegex(af2.InputError, "workplane has no shape"):
             af2.mesh(Workplane(), size=1)
 
+    def test_freecad(self):
+        class Shape:
+            def __init__(self, content=BREP):
+                self.content = content
+
+            def isNull(self):
+                return not self.content
+
+            def exportBrep(self, f):
+                f.write(self.content)
+
+        class Feature:
+            Label = "Die"
+
+            def __init__(self, shape):
+                self.Shape = shape
+
+        self.is_die(Shape())
+        self.is_die(Feature(Shape()))
+        with self.assertRaisesRegex(af2.InputError, "the object 'Die' of FreeCAD has no shape"):
+            af2.mesh(Feature(Shape(b"")), size=1)
+        with self.assertRaisesRegex(TypeError, "cannot mesh an object"):
+            af2.mesh(Feature(None), size=1)
+
     def test_old_cadquery_writes_files_only(self):
         class Shape:
             def exportBrep(self, fileName):
