@@ -1,8 +1,13 @@
 // Nastran's bulk data, text: shell elements with a property for each group of faces; sets for
 // groups that overlap, and for those of edges. Lines are PLOTEL elements, which have no stiffness.
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,35 +23,62 @@ namespace {
 constexpr std::size_t kSmallField = 8, kLargeField = 16;
 constexpr std::size_t kHighestNumber = 99'999'999;  // that fits into a small field
 
-std::string padded(std::string text, std::size_t columns) {
-  if (text.size() < columns) text.append(columns - text.size(), ' ');
-  return text;
-}
+/// Lines of fields, which are filled with spaces but for the last one.
+class FieldLines {
+ public:
+  explicit FieldLines(OutputFile& file) : file_(file) {}
 
-/// A line of small fields; what does not fit follows on others.
-void putEntry(const std::string& name, const std::vector<std::size_t>& numbers, OutputFile& file) {
-  constexpr std::size_t kFieldsInLine = 8;
-  std::string line = padded(name, kSmallField);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0 && i % kFieldsInLine == 0) line += "+\n" + padded("+", kSmallField);
-    line += padded(std::to_string(numbers[i]), kSmallField);
+  void text(std::string_view text, std::size_t columns = kSmallField) {
+    for (; spaces_ > 0; --spaces_) file_.bytes(" ", 1);
+    file_.text(text);
+    spaces_ = columns - std::min(columns, text.size());
   }
-  while (line.ends_with(' ')) line.pop_back();
-  file.text(line + "\n");
+  void number(std::size_t number, std::size_t columns = kSmallField) {
+    char digits[20];
+    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    text({digits, end}, columns);
+  }
+  void end() {
+    file_.text("\n");
+    spaces_ = 0;
+  }
+
+ private:
+  OutputFile& file_;
+  std::size_t spaces_ = 0;  ///< before the next field
+};
+
+/// Small fields; what does not fit into a line follows on others.
+void putEntry(std::string_view name, std::span<const std::size_t> numbers, OutputFile& file) {
+  constexpr std::size_t kFieldsInLine = 8;
+  FieldLines lines(file);
+  lines.text(name);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0 && i % kFieldsInLine == 0) {
+      lines.text("+");
+      lines.end();
+      lines.text("+");
+    }
+    lines.number(numbers[i]);
+  }
+  lines.end();
 }
 
 /// Coordinates in large fields.
 void putGrid(std::size_t number, const Point3& p, OutputFile& file) {
-  const auto field = [](double x) { return padded(nastranNumber(x, kLargeField), kLargeField); };
-  file.text(padded("GRID*", kSmallField) + padded(std::to_string(number), 2 * kLargeField) +
-            field(p.x) + field(p.y) + "\n" + padded("*", kSmallField) +
-            nastranNumber(p.z, kLargeField) + "\n");
+  FieldLines lines(file);
+  lines.text("GRID*");
+  lines.number(number, 2 * kLargeField);
+  for (const double x : {p.x, p.y}) lines.text(nastranNumber(x, kLargeField), kLargeField);
+  lines.end();
+  lines.text("*");
+  lines.text(nastranNumber(p.z, kLargeField), kLargeField);
+  lines.end();
 }
 
-/// CTRIA3, CQUAD4, CTRIA6 or CQUAD8.
-std::string nastranEntry(const ModelMesh& mesh, bool isQuad) {
-  const int vertices = (isQuad ? 4 : 3) * (mesh.midsides.empty() ? 1 : 2);
-  return (isQuad ? "CQUAD" : "CTRIA") + std::to_string(vertices);
+std::string_view nastranEntry(const ModelMesh& mesh, bool isQuad) {
+  if (mesh.midsides.empty()) return isQuad ? "CQUAD4" : "CTRIA3";
+  return isQuad ? "CQUAD8" : "CTRIA6";
 }
 
 /// A comment ends with its line, and old programs read bytes of ASCII only.
@@ -124,7 +156,8 @@ class NastranGroups {
         continue;
       file.text("$ PSHELL " + std::to_string(group.group.number) + ": " + inComment(group.name) +
                 "\n");
-      putEntry("PSHELL", {static_cast<std::size_t>(group.group.number)}, file);
+      const std::array numbers{static_cast<std::size_t>(group.group.number)};
+      putEntry("PSHELL", numbers, file);
     }
   }
 
@@ -139,17 +172,18 @@ class NastranGroups {
 
 void putBulkElements(const ModelMesh& mesh, Lines lines, const NastranGroups& groups,
                      OutputFile& file) {
+  std::vector<std::size_t> numbers;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    std::vector<std::size_t> numbers{e + 1, groups.propertyOf(e)};
+    numbers = {e + 1, groups.propertyOf(e)};
     for (const VertexId vertex : mshVertices(mesh, e))
       numbers.push_back(std::size_t{vertex.value} + 1);
     putEntry(nastranEntry(mesh, mesh.elements[e].isQuad()), numbers, file);
   }
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    putEntry("PLOTEL",
-             {mesh.elements.size() + i + 1, std::size_t{lines[i].from.value} + 1,
-              std::size_t{lines[i].to.value} + 1},
-             file);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    numbers = {mesh.elements.size() + i + 1, std::size_t{lines[i].from.value} + 1,
+               std::size_t{lines[i].to.value} + 1};
+    putEntry("PLOTEL", numbers, file);
+  }
 }
 
 }  // namespace
