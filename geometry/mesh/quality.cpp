@@ -325,14 +325,14 @@ void measureInMemory(const ModelMesh& mesh, int threads, MeshQuality& result) {
   });
 }
 
-void measureOnDisk(const ModelMesh& mesh, MeshQuality& result) {
+void measureOnDisk(const ModelMesh& mesh, int threads, MeshQuality& result) {
   Edges edges(mesh);
   Shapes shapes(mesh);
   Angles angles;
   forEachSlice(mesh, [&](const MeshSlice& slice) {
     edges.add(slice);
-    shapes.add(slice, 1);
-    angles.add(slice, 1);
+    shapes.add(slice, threads);
+    angles.add(slice, threads);
   });
   edges.tell(result);
   shapes.tell(result);
@@ -361,7 +361,7 @@ MeshQuality measureQuality(const ModelMesh& mesh, int threads) {
   MeshQuality result;
   if (elementCount(mesh) == 0) return result;
   if (mesh.spooled)
-    measureOnDisk(mesh, result);
+    measureOnDisk(mesh, threads, result);
   else
     measureInMemory(mesh, threads, result);
   return result;
