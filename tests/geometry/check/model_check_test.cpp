@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/check/element_checker.h"
 #include "tests/support/element.h"
 #include "tests/support/planar_meshes.h"
 
@@ -255,6 +256,19 @@ TEST(ModelCheck, OfALargeMeshFindsTheSameOnAnyNumberOfThreads) {
     holed.elements.erase(holed.elements.begin() + 45'150);
     EXPECT_EQ(checkModelMesh(holed, 100, 2).size(), 4u);
   }
+}
+
+/// Else all edges are looked at, which takes several times as long.
+TEST(ElementChecker, KnowsWhereTheVerticesInsideALargeFaceBegin) {
+  const ModelMesh mesh = withSegmentsFirst(largeSquare());
+  Findings findings(10);
+  ElementChecker elements(mesh, firstInside(mesh), findings);
+  elements.checkElements(2);
+  ASSERT_TRUE(elements.firstInside().has_value());
+  EXPECT_EQ(*elements.firstInside(), mesh.segments.size());
+  EXPECT_TRUE(elements.areSurrounded(*elements.firstInside(), 2));
+  EXPECT_FALSE(elements.areSurrounded(0, 2));  // vertices on segments are at open edges
+  EXPECT_EQ(elements.atSegments().size(), mesh.segments.size() - 4);  // four have two sides there
 }
 
 TEST(ModelCheck, OfALargeMeshTellsFindingsInTheOrderOfTheElements) {

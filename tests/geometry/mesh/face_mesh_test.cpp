@@ -43,5 +43,23 @@ TEST(JoinFaces, GivesSegmentsThatNoElementKeptTheirVertices) {
     for (const VertexId v : {segment.from, segment.to}) EXPECT_LT(v.value, joined.vertices.size());
 }
 
+TEST(JoinFaces, KeepsWhatIsKnownOfVerticesInside) {
+  Ribbon with(1);
+  with.mesh.inside = {{0.5, 0.4, 0}, {0.5, 0.6, 0}};
+  with.mesh.wantedSizes = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  with.mesh.elements.push_back({{VertexId(0), VertexId(4), VertexId(5), {}}});
+  with.mesh.origins.resize(3);
+  with.mesh.origins.back().rule = 7;
+  with.mesh.report.id = 3;
+  const ModelMesh joined = joinFaces(with.divided, {with.mesh}, {});
+  ASSERT_EQ(joined.vertices.size(), 6u);
+  EXPECT_EQ(joined.vertices[4], (Point3{0.5, 0.4, 0}));
+  EXPECT_EQ(joined.vertices[5], (Point3{0.5, 0.6, 0}));
+  EXPECT_EQ(joined.wantedSizes, with.mesh.wantedSizes);
+  EXPECT_EQ(joined.elements.back(), with.mesh.elements.back());
+  EXPECT_EQ(joined.origins.back().rule, 7);
+  EXPECT_EQ(joined.face, (std::vector<std::int32_t>{3, 3, 3}));
+}
+
 }  // namespace
 }  // namespace af2::geometry
