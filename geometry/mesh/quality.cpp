@@ -157,7 +157,8 @@ struct MeshEdge {
 struct EdgeMeasures {
   LengthRatio lengths{.leastWanted = std::numeric_limits<double>::infinity(),
                       .leastLength = std::numeric_limits<double>::infinity()};
-  std::vector<double> ratios;  ///< in the order of the edges
+  std::vector<double> ratios;     ///< in the order of the edges
+  std::vector<MeshEdge> between;  ///< edges of which other faces may have elements, not counted yet
   std::size_t free = 0;
 
   void add(const MeshEdge& edge, bool hasSizes) {
@@ -189,25 +190,14 @@ class Edges {
 
   /// The whole mesh.
   void addAll(const MeshSlice& slice, int threads) {
-    const VertexBlocks blocks(slice.vertices.size(), slice.elements, threads);
-    takeInOrder(
-        blocks.count(), threads,
-        [&](std::size_t block) {
-          std::vector<std::size_t> elements;
-          blocks.forEachElementAt(block, [&](std::size_t i) { elements.push_back(i); });
-          const MeshSides sides(blocks[block], slice.elements, elements,
-                                [](std::uint32_t, std::uint32_t) { return true; });
-          EdgeMeasures edges;
-          sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
-            edges.add(edgeOf(from, VertexId(used.front().to), used, slice), hasSizes_);
-          });
-          return edges;
-        },
-        [&](const EdgeMeasures& edges) { take(edges); });
+    takeBlocks(slice.vertices.size(), slice.elements, threads,
+               [&](VertexId from, std::span<const MeshSide> used, EdgeMeasures& edges) {
+                 edges.add(edgeOf(from, VertexId(used.front().to), used, slice), hasSizes_);
+               });
   }
 
   /// A face of a mesh on disk. Edges between shared vertices may be those of other faces, too.
-  void add(const MeshSlice& slice) {
+  void add(const MeshSlice& slice, int threads) {
     std::vector<std::uint32_t> shared;
     for (const Element& element : slice.elements)
       for (const VertexId v : element.vertices())
@@ -226,18 +216,15 @@ class Edges {
     const auto inMesh = [&](std::uint32_t v) {
       return VertexId(v < count ? shared[v] : v - count + slice.firstVertex);
     };
-    const MeshSides sides({0, count + slice.vertices.size()}, elements,
-                          std::views::iota(std::size_t{0}, elements.size()),
-                          [](std::uint32_t, std::uint32_t) { return true; });
-    EdgeMeasures inside;
-    sides.forEachEdge([&](VertexId from, std::span<const MeshSide> used) {
-      const MeshEdge edge = edgeOf(inMesh(from.value), inMesh(used.front().to), used, slice);
-      if (used.front().to < count)
-        between_.push_back(edge);
-      else
-        inside.add(edge, hasSizes_);
-    });
-    take(inside);
+    takeBlocks(count + slice.vertices.size(), elements, threads,
+               [&](VertexId from, std::span<const MeshSide> used, EdgeMeasures& edges) {
+                 const VertexId to(used.front().to);
+                 const MeshEdge edge = edgeOf(inMesh(from.value), inMesh(to.value), used, slice);
+                 if (to.value < count)
+                   edges.between.push_back(edge);
+                 else
+                   edges.add(edge, hasSizes_);
+               });
   }
 
   void tell(MeshQuality& result) {
@@ -268,8 +255,29 @@ class Edges {
            slice.origins[element].rule + std::size_t{1} == mesh_.ruleNames.size();
   }
 
+  /// measure(from, sides, edges) adds an edge of the elements to `edges`.
+  template <class Measure>
+  void takeBlocks(std::size_t vertices, std::span<const Element> elements, int threads,
+                  const Measure& measure) {
+    const VertexBlocks blocks(vertices, elements, threads);
+    takeInOrder(
+        blocks.count(), threads,
+        [&](std::size_t block) {
+          std::vector<std::size_t> some;
+          blocks.forEachElementAt(block, [&](std::size_t i) { some.push_back(i); });
+          const MeshSides sides(blocks[block], elements, some,
+                                [](std::uint32_t, std::uint32_t) { return true; });
+          EdgeMeasures edges;
+          sides.forEachEdge(
+              [&](VertexId from, std::span<const MeshSide> used) { measure(from, used, edges); });
+          return edges;
+        },
+        [&](const EdgeMeasures& edges) { take(edges); });
+  }
+
   void take(const EdgeMeasures& some) {
     for (const double ratio : some.ratios) ratios_.add(ratio);
+    between_.insert(between_.end(), some.between.begin(), some.between.end());
     all_.free += some.free;
     LengthRatio& all = all_.lengths;
     all.leastLength = std::min(all.leastLength, some.lengths.leastLength);
@@ -299,7 +307,7 @@ class Edges {
   const ModelMesh& mesh_;
   bool hasLayers_, hasSizes_;
   Samples ratios_;                 ///< nothing else is kept for each edge: there are millions
-  EdgeMeasures all_;               ///< without their ratios
+  EdgeMeasures all_;               ///< without their ratios and what is between faces
   std::vector<MeshEdge> between_;  ///< between shared vertices, of one face each
 };
 
@@ -330,7 +338,7 @@ void measureOnDisk(const ModelMesh& mesh, int threads, MeshQuality& result) {
   Shapes shapes(mesh);
   Angles angles;
   forEachSlice(mesh, [&](const MeshSlice& slice) {
-    edges.add(slice);
+    edges.add(slice, threads);
     shapes.add(slice, threads);
     angles.add(slice, threads);
   });

@@ -16,9 +16,6 @@ namespace {
 
 using testing::v;
 
-void oneByOne(std::size_t count, const std::function<void(std::size_t)>& work) {
-  for (std::size_t i = 0; i < count; ++i) work(i);
-}
 void lastFirst(std::size_t count, const std::function<void(std::size_t)>& work) {
   for (std::size_t i = count; i-- > 0;) work(i);
 }
@@ -60,14 +57,14 @@ TEST(ElementCrossings, ThereAreNoneInABentSheet) {
   const ModelMesh mesh = sheet(12, [](double x, double y) {
     return Point3{x, y, std::sin(3 * x) * y};
   });
-  EXPECT_TRUE(elementCrossings(mesh, oneByOne).empty());
+  EXPECT_TRUE(elementCrossings(mesh, kOneByOne).empty());
 }
 
 TEST(ElementCrossings, ThereAreNoneInATubeThatClosesInItself) {
   const ModelMesh mesh = sheet(40, [](double x, double y) {
     return Point3{std::cos(6.2 * x), std::sin(6.2 * x), y};
   });
-  EXPECT_TRUE(elementCrossings(mesh, oneByOne).empty());
+  EXPECT_TRUE(elementCrossings(mesh, kOneByOne).empty());
 }
 
 /// A sheet that is rolled up by more than a turn without growing wider goes through itself.
@@ -76,7 +73,7 @@ TEST(ElementCrossings, FindsWhereASheetGoesThroughItself) {
     const double angle = 8 * x, radius = 1 + 0.3 * y * (x - 0.5);
     return Point3{radius * std::cos(angle), radius * std::sin(angle), y + 0.01 * x};
   });
-  EXPECT_FALSE(elementCrossings(mesh, oneByOne).empty());
+  EXPECT_FALSE(elementCrossings(mesh, kOneByOne).empty());
 }
 
 std::vector<std::array<ElementId, 2>> bruteForce(const ModelMesh& mesh, double depth) {
@@ -100,7 +97,7 @@ std::vector<std::array<ElementId, 2>> bruteForce(const ModelMesh& mesh, double d
 /// Those that trying all pairs finds, and these are many.
 void expectAllAndMany(const ModelMesh& mesh, double tolerance) {
   std::vector<std::array<ElementId, 2>> found;
-  for (const Crossing& crossing : elementCrossings(mesh, oneByOne))
+  for (const Crossing& crossing : elementCrossings(mesh, kOneByOne))
     if (!crossing.isFold) found.push_back(crossing.elements);
   const auto expected = bruteForce(mesh, tolerance);
   EXPECT_GT(expected.size(), 10u);
@@ -171,7 +168,7 @@ TEST(ElementCrossings, DoNotDependOnTheOrderOfWork) {
   const ModelMesh mesh = sheet(20, [](double x, double y) {
     return Point3{std::cos(9 * x), std::sin(7 * x), y + 0.1 * x};
   });
-  EXPECT_EQ(elementCrossings(mesh, oneByOne), elementCrossings(mesh, lastFirst));
+  EXPECT_EQ(elementCrossings(mesh, kOneByOne), elementCrossings(mesh, lastFirst));
 }
 
 /// Two triangles with their corners; in one piece if a third one joins them.
@@ -190,8 +187,8 @@ ModelMesh twoThatCross(bool isOnePiece) {
 }
 
 TEST(ElementCrossings, OfPiecesWithoutACommonVertexDoNotCount) {
-  EXPECT_TRUE(elementCrossings(twoThatCross(false), oneByOne).empty());
-  const auto crossings = elementCrossings(twoThatCross(true), oneByOne);
+  EXPECT_TRUE(elementCrossings(twoThatCross(false), kOneByOne).empty());
+  const auto crossings = elementCrossings(twoThatCross(true), kOneByOne);
   ASSERT_EQ(crossings.size(), 1u);
   EXPECT_EQ(crossings[0].faces, (std::array{4, 7}));
   EXPECT_FALSE(crossings[0].isFold);
@@ -201,10 +198,10 @@ TEST(ElementCrossings, OfPiecesWithoutACommonVertexDoNotCount) {
 TEST(ElementCrossings, AQuadrilateralIsHeldAgainstOthersInHalves) {
   ModelMesh mesh = twoThatCross(true);
   mesh.vertices[2] = {0, 0.4, 0};  // the triangle no longer reaches the other one
-  EXPECT_TRUE(elementCrossings(mesh, oneByOne).empty());
+  EXPECT_TRUE(elementCrossings(mesh, kOneByOne).empty());
   mesh.vertices.push_back({2, 2, 0});
   mesh.elements[0] = {{v(0), v(1), v(7), v(2)}};
-  EXPECT_EQ(elementCrossings(mesh, oneByOne).size(), 1u);
+  EXPECT_EQ(elementCrossings(mesh, kOneByOne).size(), 1u);
 }
 
 TEST(ElementCrossings, AnElementThatLiesOnItsNeighbourIsAFold) {
@@ -213,11 +210,11 @@ TEST(ElementCrossings, AnElementThatLiesOnItsNeighbourIsAFold) {
   mesh.elements = {{{v(0), v(1), v(2), VertexId()}}, {{v(1), v(0), v(3), VertexId()}}};
   mesh.face = {1, 2};
   addSegments(mesh);
-  const auto crossings = elementCrossings(mesh, oneByOne);
+  const auto crossings = elementCrossings(mesh, kOneByOne);
   ASSERT_EQ(crossings.size(), 1u);
   EXPECT_TRUE(crossings[0].isFold);
   mesh.vertices[3] = {0.5, 0.7, 0.1};  // as thin as the edge of a wing
-  EXPECT_TRUE(elementCrossings(mesh, oneByOne).empty());
+  EXPECT_TRUE(elementCrossings(mesh, kOneByOne).empty());
 }
 
 Crossing between(int a, int b) { return {{}, {a, b}, false, {}}; }

@@ -63,12 +63,11 @@ TEST(PatchOutlines, KnowALargeBall) {
 
 TEST(PatchOutlines, AreTheSameWhateverOrderTheirPartsAreFoundIn) {
   const ModelMesh ball = closed(80, [](const Point3& p) { return unit(p); });
-  const auto lastFirst = [](std::size_t count, const std::function<void(std::size_t)>& work) {
+  const Repeat lastFirst = [](std::size_t count, const auto& work) {
     for (std::size_t i = count; i-- > 0;) work(i);
   };
-  const Repeat backwards = lastFirst;
   const OutlinedPatch one = PatchOutlines(ball, kOneByOne).patch(0, ball.elements.size()),
-                      other = PatchOutlines(ball, backwards).patch(0, ball.elements.size());
+                      other = PatchOutlines(ball, lastFirst).patch(0, ball.elements.size());
   EXPECT_EQ(one.normal, other.normal);
   EXPECT_EQ(one.corners, other.corners);
   EXPECT_EQ(one.onSegments, other.onSegments);
