@@ -54,4 +54,13 @@ class Ranges {
   std::size_t count_, size_;
 };
 
+/// Calls work(i) for 0 to count - 1: ranges of `size` in parallel, each in order.
+template <class Work>
+void forEachInRanges(std::size_t count, std::size_t size, int threads, const Work& work) {
+  const Ranges ranges(count, size);
+  forEachInParallel(ranges.count(), threads, [&](std::size_t range) {
+    for (const std::size_t i : ranges[range]) work(i);
+  });
+}
+
 }  // namespace af2::geometry

@@ -42,16 +42,13 @@ std::vector<PointOnFacets> nearestPoints(const Facets& facets, std::span<const P
   };
   constexpr std::size_t kAtOnce = 1024;
   std::vector<PointOnFacets> nearest(points.size());
-  const Ranges ranges(points.size(), kAtOnce);
-  forEachInParallel(ranges.count(), threads, [&](std::size_t part) {
-    for (const std::size_t i : ranges[part]) {
-      const Point3& p = points[i];
-      const std::uint32_t t =
-          tree.nearest(p, std::numeric_limits<double>::infinity(),
-                       [&](std::uint32_t other) { return distance(p, footIn(p, other)); });
-      const auto [a, b, c] = cornersOf(facets, t);
-      nearest[i] = {footIn(p, t), unit(cross(b - a, c - a)), t};
-    }
+  forEachInRanges(points.size(), kAtOnce, threads, [&](std::size_t i) {
+    const Point3& p = points[i];
+    const std::uint32_t t =
+        tree.nearest(p, std::numeric_limits<double>::infinity(),
+                     [&](std::uint32_t other) { return distance(p, footIn(p, other)); });
+    const auto [a, b, c] = cornersOf(facets, t);
+    nearest[i] = {footIn(p, t), unit(cross(b - a, c - a)), t};
   });
   return nearest;
 }

@@ -83,10 +83,8 @@ void take(MeshingResult& result, FaceBoundary& boundary, FaceMesh& mesh) {
   constexpr std::size_t kVertices = 1 << 15;
   const std::size_t before = mesh.boundary.size();
   mesh.inside.resize(vertices.size() - before);
-  const Ranges ranges(mesh.inside.size(), kVertices);
-  forEachInParallel(ranges.count(), 0, [&](std::size_t range) {
-    for (const std::size_t v : ranges[range]) mesh.inside[v] = vertices[before + v].position;
-  });
+  forEachInRanges(mesh.inside.size(), kVertices, 0,
+                  [&](std::size_t v) { mesh.inside[v] = vertices[before + v].position; });
   mesh.elements = std::move(result.mesh.elements);
   mesh.origins = std::move(result.mesh.origins);
   mesh.report.elements = mesh.elements.size();

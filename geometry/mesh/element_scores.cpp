@@ -85,10 +85,8 @@ std::vector<float> sliceScores(const MeshSlice& slice, const RuleSetDefinition& 
                                int threads) {
   constexpr std::size_t kAtOnce = 4096;
   std::vector<float> scores(slice.elements.size());
-  const Ranges ranges(scores.size(), kAtOnce);
-  forEachInParallel(ranges.count(), threads, [&](std::size_t part) {
-    for (const std::size_t e : ranges[part]) scores[e] = scoreOf(slice, e, rules);
-  });
+  forEachInRanges(scores.size(), kAtOnce, threads,
+                  [&](std::size_t e) { scores[e] = scoreOf(slice, e, rules); });
   return scores;
 }
 

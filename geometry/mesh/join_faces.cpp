@@ -92,10 +92,7 @@ class Assembly {
   template <class Work>
   void inRanges(std::size_t count, const Work& work) const {
     constexpr std::size_t kAtOnce = 1 << 15;
-    const Ranges ranges(count, kAtOnce);
-    forEachInParallel(ranges.count(), options_.threads, [&](std::size_t range) {
-      for (const std::size_t i : ranges[range]) work(i);
-    });
+    forEachInRanges(count, kAtOnce, options_.threads, work);
   }
 
   void takeSpooled(const std::vector<FaceMesh>& faces) {

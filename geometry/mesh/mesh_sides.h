@@ -28,17 +28,15 @@ struct MeshSide {
 class MeshSides {
  public:
   explicit MeshSides(const ModelMesh& mesh)
-      : MeshSides(mesh, std::views::iota(std::size_t{0}, mesh.elements.size()),
+      : MeshSides({0, mesh.vertices.size()}, mesh.elements,
+                  std::views::iota(std::size_t{0}, mesh.elements.size()),
                   [](std::uint32_t, std::uint32_t) { return true; }) {}
 
+  /// The sides of some vertices.
+  ///
+  /// of        all elements
   /// elements  whose sides are stored, ascending; only their corners have to be vertices
   /// isThere   whether to store the sides from a vertex to a higher one
-  template <class Elements, class IsThere>
-  MeshSides(const ModelMesh& mesh, const Elements& elements, const IsThere& isThere)
-      : MeshSides({0, mesh.vertices.size()}, mesh.elements, elements, isThere) {}
-  /// The same for elements by themselves, and the sides of some vertices.
-  ///
-  /// of  all elements
   template <class Elements, class IsThere>
   MeshSides(VertexRange vertices, std::span<const Element> of, const Elements& elements,
             const IsThere& isThere)
