@@ -1,11 +1,8 @@
 #include "tests/fuzz/reading.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string_view>
@@ -24,6 +21,7 @@
 #include "geometry/quality/mesh_measures.h"
 #include "geometry/reading/read_mesh.h"
 #include "geometry/reading/size_field.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::fuzz {
 namespace {
@@ -79,14 +77,12 @@ void evaluateSome(const RuleSet& rules) {
 /// A file with this text; that it cannot be used may be told, by InputError.
 void readAs(const char* extension, const std::string& text,
             const std::function<void(const fs::path&)>& reader) {
-  const fs::path path = fs::temp_directory_path() / ("af2-" + std::to_string(getpid()) + extension);
-  std::ofstream(path, std::ios::binary) << text;
+  const testing::TestFile file(std::string("input") + extension, text);
   try {
-    reader(path);
+    reader(file.path());
   } catch (const InputError& told) {
     promise(std::string_view(told.what()).size() > 0, "what is wrong is told");
   }
-  fs::remove(path);
 }
 
 void findRegions(const geometry::PlanarDomain& domain) {

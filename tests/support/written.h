@@ -1,27 +1,19 @@
 // The bytes of a mesh file.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "geometry/base/words.h"
 #include "geometry/io/mesh_files.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::testing {
 
 inline std::string written(const geometry::ModelMesh& mesh, std::string_view extension,
                            const geometry::FileOptions& options = {}) {
-  namespace fs = std::filesystem;
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const fs::path path = fs::path(::testing::TempDir()) / ("af2_" + test + std::string(extension));
-  geometry::writeMesh(mesh, path, options);
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  fs::remove(path);
-  return text.str();
+  const TestFile file("mesh" + std::string(extension));
+  geometry::writeMesh(mesh, file.path(), options);
+  return geometry::contentOf(file.path());
 }
 
 }  // namespace af2::testing

@@ -34,8 +34,8 @@ TEST(LspCommands, DrawReturnsAPicture) {
   for (const char* rule : {"right 120", "left 120", "flat {k}", "flat 10"})
     EXPECT_TRUE(says(execute(c, "af2.draw", {{"rule", rule}})["svg"], "<svg")) << rule;
   EXPECT_TRUE(says(execute(c, "af2.draw", Json::object())["svg"], "<svg"));
-  const Folder folder("draw");
-  const std::string path = (folder.path / "picture.svg").string();
+  const Folder folder;
+  const std::string path = (folder.path() / "picture.svg").string();
   execute(c, "af2.draw", {{"rule", "right 120"}, {"path", path}});
   EXPECT_GT(std::filesystem::file_size(path), 1000U);
   // No name means standard output, to which the answers go.

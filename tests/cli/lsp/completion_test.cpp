@@ -68,7 +68,7 @@ TEST(LspCompletion, OffersOutcomesReasonsAndSettings) {
 }
 
 TEST(LspCompletion, OffersFilesAndTheNamesOfImports) {
-  const Folder folder("completion");
+  const Folder folder;
   folder.write("lib.af2", "af2 1;\nconst G = 0.5;\ndef f(x) = x;\n");
   const std::string uri = folder.uri("main.af2");
   const auto ask = [&](const std::string& marked) {

@@ -1,16 +1,14 @@
 // An editor for tests: talks to the server without a process between.
 #pragma once
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "cli/lsp/server.h"
 #include "cli/lsp/uri.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::lsp {
 
@@ -141,21 +139,17 @@ class Conversation {
   int id_ = 0;
 };
 
-/// A folder that goes away with the test.
+/// The addresses of the files of a test.
 class Folder {
  public:
-  explicit Folder(const std::string& name)
-      : path(std::filesystem::temp_directory_path() /
-             ("af2-lsp-" + name + "-" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
-    return uriOf((path / name).string());
+    return uriOf(folder_.write(name, text).string());
   }
-  std::string uri(const std::string& name) const { return uriOf((path / name).string()); }
-  std::filesystem::path path;
+  const std::filesystem::path& path() const { return folder_.path(); }
+  std::string uri(const std::string& name) const { return uriOf((folder_ / name).string()); }
+
+ private:
+  testing::TestFolder folder_;
 };
 
 /// Labels, titles and so on of a list of objects.

@@ -28,7 +28,7 @@ TEST(LspDefinition, LeadsFromEveryKindOfUse) {
 }
 
 TEST(LspDefinition, LeadsIntoImportedFiles) {
-  const Folder folder("definition");
+  const Folder folder;
   const std::string lib = folder.write("lib.af2", "af2 1;\n\nconst G = 0.5;\n");
   const std::string text = "af2 1;\nimport \"lib.af2\" as lib;\nconst H = 2 * lib.G;\n";
   const std::string uri = folder.uri("main.af2");
@@ -115,13 +115,13 @@ TEST(LspRename, PrepareTellsWhatWouldChange) {
 }
 
 TEST(LspRename, ReachesFilesThatAreNotOpen) {
-  const Folder folder("rename");
+  const Folder folder;
   const std::string lib = folder.write("lib.af2", "af2 1;\nconst G = 0.5;\n");
   const std::string user =
       folder.write("user.af2", "af2 1;\nimport \"lib.af2\" as lib;\nconst H = lib.G;\n");
   folder.write("other.af2", "af2 1;\nconst G = 3;\n");
   Conversation c;
-  c.session.client.folders = {folder.path};
+  c.session.client.folders = {folder.path()};
   c.open("af2 1;\nconst G = 0.5;\n", lib);
   Json params = c.paramsOf(lib);
   params["position"] = {{"line", 1}, {"character", 6}};

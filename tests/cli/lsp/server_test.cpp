@@ -223,7 +223,7 @@ TEST(LspDiagnostics, ALibraryNeedsNoRuleSet) {
 }
 
 TEST(LspDiagnostics, UnsavedImportsAreReadFromTheEditor) {
-  const Folder folder("imports");
+  const Folder folder;
   const std::string lib = folder.write("lib.af2", "af2 1;\nconst H = 0.8;\n");
   std::string text = kGood;
   text.replace(text.find("ruleset"), 0, "import \"lib.af2\" as lib;\n");
@@ -239,7 +239,7 @@ TEST(LspDiagnostics, UnsavedImportsAreReadFromTheEditor) {
 }
 
 TEST(LspDiagnostics, ErrorsOfImportsAreToldAtTheImport) {
-  const Folder folder("broken");
+  const Folder folder;
   folder.write("lib.af2", "af2 1;\nconst H = ;\n");
   std::string text = kGood;
   text.replace(text.find("ruleset"), 0, "import \"lib.af2\" as lib;\n");

@@ -1,12 +1,12 @@
 #include "cli/playground/rule_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::playground {
 namespace {
@@ -15,20 +15,14 @@ namespace fs = std::filesystem;
 
 class RuleFileTest : public ::testing::Test {
  protected:
-  RuleFileTest() { fs::create_directories(folder_); }
-  ~RuleFileTest() override { fs::remove_all(folder_); }
-
   void write(const std::string& text) const { std::ofstream(path_, std::ios::binary) << text; }
   std::string text() const {
     std::ostringstream out;
     out << std::ifstream(path_, std::ios::binary).rdbuf();
     return out.str();
   }
-  std::size_t fileCount() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
-  }
 
-  fs::path folder_ = fs::temp_directory_path() / ("af2-rule-file-" + std::to_string(getpid()));
+  testing::TestFolder folder_;
   fs::path path_ = folder_ / "rules.af2";
 };
 
@@ -39,7 +33,7 @@ TEST_F(RuleFileTest, SavesAVersionThatNobodyElseHasChanged) {
   EXPECT_FALSE(saved.isChanged);
   EXPECT_EQ(text(), "two");
   EXPECT_EQ(saved.version, file.read().version);
-  EXPECT_EQ(fileCount(), 1U);
+  EXPECT_EQ(folder_.fileCount(), 1U);
 }
 
 TEST_F(RuleFileTest, OverwritesTheChangesOfOthersOnlyOnRequest) {

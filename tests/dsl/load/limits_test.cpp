@@ -1,8 +1,6 @@
 // Inputs of any size end in an answer, soon and in bounded memory.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include <sstream>
 
 #include "dsl/load/rule_file.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::dsl {
 namespace {
@@ -72,20 +71,12 @@ TEST(Limits, ARuleHasAsManyVerticesAsTheEngineTakes) {
   EXPECT_EQ(found[0].help, "at most 12 are possible, including a and b");
 }
 
-class ImportLimits : public testing::Test {
+class ImportLimits : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("af2-limits-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   LoadedRules load(const std::string& name) const { return loadRules(folder_ / name); }
 
-  fs::path folder_;
+  af2::testing::TestFolder folder_;
 };
 
 TEST_F(ImportLimits, DiamondsUseEachFileOnce) {

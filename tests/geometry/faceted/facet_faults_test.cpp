@@ -11,8 +11,8 @@
 #include "geometry/domain/domain_defects.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/patches.h"
-#include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
+#include "tests/support/test_folder.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
@@ -25,7 +25,7 @@ const std::string kBoxVertices =
 const std::string kBoxFaces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 Facets read(const std::string& text) {
-  return readFacets(testing::TemporaryFile("model.obj", text).path());
+  return readFacets(testing::TestFile("model.obj", text).path());
 }
 
 DomainModel modelOf(const Facets& facets, double size) {

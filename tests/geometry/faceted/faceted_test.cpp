@@ -14,7 +14,7 @@
 #include "geometry/mesh/quality.h"
 #include "geometry/mesh/second_order.h"
 #include "tests/geometry/faceted/faceted_mesh.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -27,7 +27,7 @@ const std::string kBox =
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 Facets read(const std::string& name, const std::string& text) {
-  return readFacets(testing::TemporaryFile(name, text).path());
+  return readFacets(testing::TestFile(name, text).path());
 }
 
 /// A grid of (u, v) in [0, 1)^2 that closes in both directions.

@@ -2,27 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
+
+#include "geometry/base/words.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
 std::string encoded(const auto& fill) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "af2_base64_test";
+  const testing::TestFile made("base64");
   {
-    OutputFile file(path);
+    OutputFile file(made.path());
     Base64Stream stream(file);
     fill(stream);
     stream.finish();
     file.commit();
   }
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::filesystem::remove(path);
-  return text;
+  return contentOf(made.path());
 }
 
 std::string encodedBytes(std::string_view bytes) {

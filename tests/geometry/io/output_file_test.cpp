@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -14,23 +15,7 @@ namespace fs = std::filesystem;
 
 class OutputFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = fs::path(::testing::TempDir()) / (std::string("af2_output_") + test->name());
-    fs::remove_all(directory_);
-    fs::create_directories(directory_);
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   fs::path path(const std::string& name) const { return directory_ / name; }
-  std::size_t fileCount() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), {}));
-  }
-  static std::string content(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
   static std::string refusal(const fs::path& file) {
     try {
       checkWritable(file);
@@ -40,7 +25,7 @@ class OutputFileTest : public ::testing::Test {
     return "";
   }
 
-  fs::path directory_;
+  testing::TestFolder directory_;
 };
 
 TEST_F(OutputFileTest, HoldsWhatWasWrittenOnceCommitted) {
@@ -50,15 +35,15 @@ TEST_F(OutputFileTest, HoldsWhatWasWrittenOnceCommitted) {
   file.text(" ");
   file.number(-7);
   file.commit();
-  EXPECT_EQ(content(path("a.txt")), "x 0.1 -7");
-  EXPECT_EQ(fileCount(), 1u);
+  EXPECT_EQ(contentOf(path("a.txt")), "x 0.1 -7");
+  EXPECT_EQ(directory_.fileCount(), 1u);
 }
 
 TEST_F(OutputFileTest, LeavesTheOldContentAndNoTraceWithoutCommit) {
   std::ofstream(path("a.txt")) << "old";
   { OutputFile(path("a.txt")).text("new"); }
-  EXPECT_EQ(content(path("a.txt")), "old");
-  EXPECT_EQ(fileCount(), 1u);
+  EXPECT_EQ(contentOf(path("a.txt")), "old");
+  EXPECT_EQ(directory_.fileCount(), 1u);
 }
 
 TEST_F(OutputFileTest, KeepsEveryByteOfMoreThanItsBufferHolds) {
@@ -72,7 +57,7 @@ TEST_F(OutputFileTest, KeepsEveryByteOfMoreThanItsBufferHolds) {
   const std::string large(1 << 20, 'x');
   file.text(large);
   file.commit();
-  EXPECT_EQ(content(path("big.txt")), expected + large);
+  EXPECT_EQ(contentOf(path("big.txt")), expected + large);
 }
 
 TEST_F(OutputFileTest, WritesNumbersInBothByteOrders) {
@@ -80,7 +65,7 @@ TEST_F(OutputFileTest, WritesNumbersInBothByteOrders) {
   file.binary(std::uint32_t{0x01020304});
   file.bigEndian(std::uint32_t{0x01020304});
   file.commit();
-  EXPECT_EQ(content(path("a.bin")), std::string("\4\3\2\1\1\2\3\4"));
+  EXPECT_EQ(contentOf(path("a.bin")), std::string("\4\3\2\1\1\2\3\4"));
 }
 
 TEST_F(OutputFileTest, FollowsASymbolicLink) {
@@ -90,7 +75,7 @@ TEST_F(OutputFileTest, FollowsASymbolicLink) {
   file.text("new");
   file.commit();
   EXPECT_TRUE(fs::is_symlink(path("link.txt")));
-  EXPECT_EQ(content(path("real.txt")), "new");
+  EXPECT_EQ(contentOf(path("real.txt")), "new");
 }
 
 TEST_F(OutputFileTest, SaysThatTheDirectoryDoesNotExist) {
@@ -100,13 +85,13 @@ TEST_F(OutputFileTest, SaysThatTheDirectoryDoesNotExist) {
 }
 
 TEST_F(OutputFileTest, RefusesADirectoryAndADevice) {
-  EXPECT_NE(refusal(directory_).find("it is a directory"), std::string::npos);
+  EXPECT_NE(refusal(directory_.path()).find("it is a directory"), std::string::npos);
   EXPECT_NE(refusal("/dev/null").find("not a regular file"), std::string::npos);
 }
 
 TEST_F(OutputFileTest, ProbingLeavesNoFile) {
   checkWritable(path("a.vtu"));
-  EXPECT_EQ(fileCount(), 0u);
+  EXPECT_EQ(directory_.fileCount(), 0u);
 }
 
 }  // namespace

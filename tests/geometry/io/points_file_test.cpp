@@ -6,7 +6,7 @@ namespace af2::geometry {
 namespace {
 
 InsideFaces insideOf(const std::string& text) {
-  return readInsideFaces(testing::TemporaryFile("test.poly", text).path());
+  return readInsideFaces(testing::TestFile("test.poly", text).path());
 }
 
 TEST(PointsFile, HoldsPointsAndCurves) {

@@ -2,27 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "geometry/base/words.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/io/output_file.h"
 #include "tests/support/small_meshes.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
 nlohmann::json written(const RunReport& report, const ModelMesh& mesh) {
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const auto path = std::filesystem::path(::testing::TempDir()) / ("af2_report_" + test + ".json");
-  OutputFile file(path);
+  const testing::TestFile made("report.json");
+  OutputFile file(made.path());
   writeReport(report, mesh, file);
   file.commit();
-  std::ifstream stream(path);
-  nlohmann::json json = nlohmann::json::parse(stream);
-  std::filesystem::remove(path);
-  return json;
+  return nlohmann::json::parse(contentOf(made.path()));
 }
 
 RunReport complete() {

@@ -4,22 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "engine/base/error.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
 SizeFile read(const std::string& text) {
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const auto path = std::filesystem::path(::testing::TempDir()) / ("af2_sizes_" + test + ".json");
-  std::ofstream(path) << text;
-  struct Remove {
-    std::filesystem::path path;
-    ~Remove() { std::filesystem::remove(path); }
-  } remove{path};
-  return readSizeFile(path);
+  return readSizeFile(testing::TestFile("sizes.json", text).path());
 }
 
 std::string faultOf(const std::string& text) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/check/model_check.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 #include "tests/support/triangle_rules.h"
 
 namespace af2::geometry {
@@ -21,7 +21,7 @@ const std::string kDisc =
     "materials\n1 air\n2 iron -maxh=0.15\n";
 
 PlanarCurves read(const std::string& text) {
-  return readIn2d(testing::TemporaryFile("test.in2d", text).path());
+  return readIn2d(testing::TestFile("test.in2d", text).path());
 }
 
 ModelMesh mesh(const std::string& text, double size) {

@@ -7,7 +7,6 @@ namespace {
 
 using testing::messageOf;
 using testing::polyOf;
-using testing::TemporaryFile;
 
 TEST(PolyFile, IsReadWithCommentsAttributesAndMarkers) {
   const PlanarDomain domain = polyOf(
@@ -41,9 +40,10 @@ TEST(PolyFile, MayNumberItsVerticesFromZero) {
 }
 
 TEST(PolyFile, MayHaveItsVerticesInANodeFileBeside) {
-  const TemporaryFile poly("test.poly", "0 2 0 0\n1 0\n1 1 2\n0\n");
-  const TemporaryFile node("test.node", "2 2 0 0\n1 3 4\n2 5 6\n");
-  EXPECT_EQ(readPoly(poly.path()).points, (std::vector<Point2>{{3, 4}, {5, 6}}));
+  const testing::TestFolder folder;
+  folder.write("test.node", "2 2 0 0\n1 3 4\n2 5 6\n");
+  EXPECT_EQ(readPoly(folder.write("test.poly", "0 2 0 0\n1 0\n1 1 2\n0\n")).points,
+            (std::vector<Point2>{{3, 4}, {5, 6}}));
 }
 
 TEST(PolyFile, TellsTheLineOfAMistake) {

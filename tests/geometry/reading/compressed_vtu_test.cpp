@@ -3,28 +3,21 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/reading/read_mesh.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class CompressedVtu : public ::testing::Test {
  protected:
-  std::filesystem::path file =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("af2_") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-       ".vtu");
-  ~CompressedVtu() override { std::filesystem::remove(file); }
+  testing::TestFolder folder;
+  std::filesystem::path file = folder / "mesh.vtu";
 
   std::string written(const ModelMesh& mesh, bool compress) {
     FileOptions options;

@@ -1,23 +1,17 @@
 // Mesh files as surfaces to be meshed.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "engine/base/error.h"
 #include "geometry/faceted/facets.h"
 #include "geometry/io/mesh_files.h"
 #include "tests/support/small_meshes.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
-std::filesystem::path facetsPath(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / ("af2_facets_" + name);
-}
-
 Facets facetsOf(const std::string& name, const std::string& text) {
-  std::ofstream(facetsPath(name), std::ios::binary) << text;
-  return readFacets(facetsPath(name));
+  return readFacets(testing::TestFile(name, text).path());
 }
 
 std::string faultOfFacets(const std::string& name, const std::string& text) {
@@ -35,8 +29,9 @@ const std::string kCubeOff =
 
 TEST(MeshFacets, KeepTheFacesOfAMeshAsParts) {
   const ModelMesh cube = cubeMesh();
+  const testing::TestFolder folder;
   for (const char* const extension : {".msh", ".msh2", ".vtu", ".vtk"}) {
-    const auto path = facetsPath(std::string("cube") + extension);
+    const auto path = folder / (std::string("cube") + extension);
     writeMesh(cube, path);
     const Facets facets = readFacets(path);
     EXPECT_EQ(facets.vertices.size(), 8u) << extension;
@@ -50,8 +45,9 @@ TEST(MeshFacets, KeepTheFacesOfAMeshAsParts) {
 }
 
 TEST(MeshFacets, AreOfPlyAndOffFiles) {
-  writeMesh(cubeMesh(), facetsPath("cube.ply"));
-  EXPECT_EQ(readFacets(facetsPath("cube.ply")).triangles.size(), 12u);
+  const testing::TestFile ply("cube.ply");
+  writeMesh(cubeMesh(), ply.path());
+  EXPECT_EQ(readFacets(ply.path()).triangles.size(), 12u);
   const Facets facets = facetsOf("cube.off", kCubeOff);
   EXPECT_EQ(facets.vertices.size(), 8u);
   EXPECT_EQ(facets.triangles.size(), 12u);

@@ -9,18 +9,14 @@
 #include "geometry/io/mesh_files.h"
 #include "geometry/mesh/second_order.h"
 #include "tests/support/planar_meshes.h"
+#include "tests/support/test_folder.h"
+#include "tests/support/written.h"
 
 namespace af2::geometry {
 namespace {
 
-std::filesystem::path fileNamed(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / ("af2_read_" + name);
-}
-
 MeshFile readText(const std::string& name, const std::string& text) {
-  const auto path = fileNamed(name);
-  std::ofstream(path, std::ios::binary) << text;
-  return readMesh(path);
+  return readMesh(testing::TestFile(name, text).path());
 }
 
 std::string faultOf(const std::string& name, const std::string& text) {
@@ -33,17 +29,16 @@ std::string faultOf(const std::string& name, const std::string& text) {
 }
 
 std::string cutFile(const std::string& extension) {
-  const auto path = fileNamed("whole" + extension);
-  writeMesh(cubeMesh(), path);
-  const std::string content = contentOf(path);
+  const std::string content = testing::written(cubeMesh(), extension);
   return faultOf("cut" + extension, content.substr(0, content.size() / 2));
 }
 
 TEST(ReadMesh, GivesBackWhatWasWritten) {
   const ModelMesh cube = cubeMesh();
   for (const char* const extension : {".vtu", ".vtk", ".msh", ".obj", ".ply"}) {
-    writeMesh(cube, fileNamed(std::string("cube") + extension));
-    const MeshFile file = readMesh(fileNamed(std::string("cube") + extension));
+    const testing::TestFile made(std::string("cube") + extension);
+    writeMesh(cube, made.path());
+    const MeshFile file = readMesh(made.path());
     ASSERT_EQ(file.mesh.elements.size(), cube.elements.size()) << extension;
     EXPECT_EQ(file.mesh.vertices.size(), cube.vertices.size()) << extension;
     EXPECT_EQ(file.hasFaces, std::string(extension) != ".ply") << extension;
@@ -58,8 +53,9 @@ TEST(ReadMesh, GivesBackWhatWasWritten) {
 }
 
 TEST(ReadMesh, JoinsTheTrianglesOfAnStlFile) {
-  writeMesh(cubeMesh(), fileNamed("cube.stl"));
-  const MeshFile file = readMesh(fileNamed("cube.stl"));
+  const testing::TestFile made("cube.stl");
+  writeMesh(cubeMesh(), made.path());
+  const MeshFile file = readMesh(made.path());
   EXPECT_EQ(file.mesh.elements.size(), 12u);
   EXPECT_EQ(file.mesh.vertices.size(), 8u);
   EXPECT_FALSE(file.hasFaces);
@@ -69,14 +65,15 @@ TEST(ReadMesh, ReadsLinesAndSizes) {
   ModelMesh mesh = squareGrid(2);
   mesh.wantedSizes.assign(9, 0.5);
   mesh.segments = {{VertexId(0), VertexId(1), 7, 1, {}}};
-  writeMesh(mesh, fileNamed("lines.vtu"), LinesAlong::AllEdges);
-  const MeshFile vtu = readMesh(fileNamed("lines.vtu"));
+  const testing::TestFolder folder;
+  writeMesh(mesh, folder / "lines.vtu", LinesAlong::AllEdges);
+  const MeshFile vtu = readMesh(folder / "lines.vtu");
   EXPECT_EQ(vtu.mesh.wantedSizes, mesh.wantedSizes);
   ASSERT_EQ(vtu.mesh.segments.size(), 1u);
   EXPECT_EQ(vtu.mesh.segments[0].edge, 7);
   for (const char* const name : {"lines.vtk", "lines.msh"}) {
-    writeMesh(mesh, fileNamed(name), LinesAlong::AllEdges);
-    EXPECT_EQ(readMesh(fileNamed(name)).mesh.segments, vtu.mesh.segments) << name;
+    writeMesh(mesh, folder / name, LinesAlong::AllEdges);
+    EXPECT_EQ(readMesh(folder / name).mesh.segments, vtu.mesh.segments) << name;
   }
 }
 

@@ -3,20 +3,23 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "engine/base/error.h"
 #include "geometry/io/mesh_files.h"
 #include "tests/support/small_meshes.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
 
-std::string written(const std::string& name, const std::string& text) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / ("af2_field_" + name);
-  std::ofstream(path, std::ios::binary) << text;
-  return path.string();
-}
+class SizeField : public ::testing::Test {
+ protected:
+  std::string written(const std::string& name, const std::string& text) const {
+    return folder.write(name, text).string();
+  }
+
+  testing::TestFolder folder;
+};
 
 SizeCells readField(const std::string& text) { return readSizeField(sizeFieldName(text)); }
 
@@ -38,7 +41,7 @@ const char* const kView =
     "ST(0,0,0,1,0,0,0,1,0){0.5,0.25,1, 7,8,9};\nSQ(0,0,0,1,0,0,1,1,0,0,1,0){1,1,1,1};\n"
     "SS(0,0,0,1,0,0,0,1,0,0,0,1){1,1,1,2};\nVP(0,0,0){1,2,3};\n};\n";
 
-TEST(SizeField, IsAViewOfGmsh) {
+TEST_F(SizeField, IsAViewOfGmsh) {
   const SizeCells cells = readField(written("one.pos", kView));
   EXPECT_EQ(cells.cells.size(), 6u);  // the quadrilateral is two
   EXPECT_EQ(cells.vertices.size(), 5u);
@@ -47,7 +50,7 @@ TEST(SizeField, IsAViewOfGmsh) {
   EXPECT_EQ(cells.sizes[static_cast<std::size_t>(place - cells.vertices.begin())], 0.25);  // least
 }
 
-TEST(SizeField, IsChosenByNameAmongSeveral) {
+TEST_F(SizeField, IsChosenByNameAmongSeveral) {
   const std::string two = written("two.pos", std::string(kView) + "View \"k\" { SP(1,2,3){4}; };");
   EXPECT_EQ(readField(two + ":k").sizes, (std::vector<double>{4}));
   EXPECT_TRUE(hasPart(faultOfField(two), "there is h and k; h (VP) cannot be used; name one"))
@@ -56,11 +59,11 @@ TEST(SizeField, IsChosenByNameAmongSeveral) {
       << faultOfField(two + ":x");
 }
 
-TEST(SizeField, IsThePointArrayThatAf2WritesOrAnyOther) {
+TEST_F(SizeField, IsThePointArrayThatAf2WritesOrAnyOther) {
   ModelMesh mesh = cubeMesh();
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     mesh.wantedSizes.push_back(1 + mesh.vertices[v].z);
-  const auto path = std::filesystem::path(::testing::TempDir()) / "af2_field_cube.vtu";
+  const auto path = folder / "cube.vtu";
   for (const bool compress : {false, true}) {
     writeMesh(mesh, path, {LinesAlong::Boundaries, {}, compress});
     const SizeCells cells = readField(path.string());
@@ -76,7 +79,7 @@ std::string mshWith(const std::string& data) {
          data;
 }
 
-TEST(SizeField, IsNodeDataOfAMeshAndLeavesOutCellsWithoutValues) {
+TEST_F(SizeField, IsNodeDataOfAMeshAndLeavesOutCellsWithoutValues) {
   const std::string data =
       "$NodeData\n1\n\"size\"\n1\n0\n3\n0\n1\n4\n1 0.1\n2 0.2\n3 0.3\n4 0.4\n$EndNodeData\n"
       "$NodeData\n1\n\"size\"\n1\n1\n3\n1\n1\n1\n1 7\n$EndNodeData\n"
@@ -86,7 +89,7 @@ TEST(SizeField, IsNodeDataOfAMeshAndLeavesOutCellsWithoutValues) {
   EXPECT_EQ(cells.sizes, (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
 }
 
-TEST(SizeField, TellsWhatIsWrong) {
+TEST_F(SizeField, TellsWhatIsWrong) {
   EXPECT_TRUE(hasPart(faultOfField(written("none.msh", mshWith(""))),
                       "has no array with one number for each vertex"));
   EXPECT_TRUE(hasPart(faultOfField(written("negative.pos", "View \"a\" {SP(1,2,3){-4};};")),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -17,13 +18,7 @@ namespace fs = std::filesystem;
 
 class SpoolFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / ("af2_spool_" + std::to_string(::getpid()));
-    fs::create_directory(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  testing::TestFolder folder_;
 };
 
 std::vector<int> numbersFrom(int first, std::size_t count) {
@@ -45,7 +40,7 @@ std::vector<int> at(const SpoolFile& file, const SpoolFile::Place& place) {
 }
 
 TEST_F(SpoolFiles, GiveBackWhatWasPutIntoThem) {
-  SpoolFile file(folder_);
+  SpoolFile file(folder_.path());
   const auto first = put(file, numbersFrom(0, 100'000)), second = put(file, numbersFrom(7, 3));
   const auto none = put(file, {});
   EXPECT_EQ(at(file, first), numbersFrom(0, 100'000));
@@ -54,7 +49,7 @@ TEST_F(SpoolFiles, GiveBackWhatWasPutIntoThem) {
 }
 
 TEST_F(SpoolFiles, TakeFromSeveralThreadsAtOnce) {
-  SpoolFile file(folder_);
+  SpoolFile file(folder_.path());
   std::vector<SpoolFile::Place> places(8);
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i)
@@ -68,16 +63,16 @@ TEST_F(SpoolFiles, TakeFromSeveralThreadsAtOnce) {
 }
 
 TEST_F(SpoolFiles, KeepTheOthersWhenRoomIsGivenBack) {
-  SpoolFile file(folder_);
+  SpoolFile file(folder_.path());
   const auto first = put(file, numbersFrom(0, 10'001)), second = put(file, numbersFrom(5, 10'001));
   file.release(first);
   EXPECT_EQ(at(file, second), numbersFrom(5, 10'001));
 }
 
 TEST_F(SpoolFiles, HaveNoNameThatCouldBeLeft) {
-  SpoolFile file(folder_);
+  SpoolFile file(folder_.path());
   put(file, numbersFrom(0, 1000));
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(SpoolFiles, SayWhichFolderHasNoPlaceForThem) {
@@ -91,7 +86,7 @@ TEST_F(SpoolFiles, SayWhichFolderHasNoPlaceForThem) {
 }
 
 TEST_F(SpoolFiles, DoNotGiveBackWhatWasNeverWritten) {
-  SpoolFile file(folder_);
+  SpoolFile file(folder_.path());
   const SpoolFile::Place place = file.reserve(1 << 20);
   EXPECT_THROW(at(file, place), InputError);
 }

@@ -13,7 +13,7 @@
 #include "geometry/io/report.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/shapes.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -23,7 +23,7 @@ Model throughIges(const TopoDS_Shape& shape) {
   IGESControl_Writer writer("MM", 0);
   writer.AddShape(shape);
   writer.ComputeModel();
-  const testing::TemporaryFile file("shifted.igs", "");
+  const testing::TestFile file("shifted.igs");
   writer.Write(file.path().c_str());
   return readModel(file.path());
 }

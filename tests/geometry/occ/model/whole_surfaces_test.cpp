@@ -12,7 +12,7 @@
 #include "geometry/io/report.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/shapes.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -31,7 +31,7 @@ Model readFromIges(const std::vector<TopoDS_Shape>& shapes) {
   IGESControl_Writer writer("MM", 0);
   for (const TopoDS_Shape& shape : shapes) writer.AddShape(shape);
   writer.ComputeModel();
-  const testing::TemporaryFile file("turned.igs", "");
+  const testing::TestFile file("turned.igs");
   writer.Write(file.path().c_str());
   return readModel(file.path());
 }

@@ -1,6 +1,5 @@
 // STEP assemblies with parts in files of their own.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -15,10 +14,11 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <sstream>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
 #include "geometry/occ/model/model.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -28,9 +28,6 @@ namespace fs = std::filesystem;
 /// A folder of its own, which ends with the test.
 class ExternalParts : public ::testing::Test {
  protected:
-  ExternalParts() { fs::create_directories(folder_); }
-  ~ExternalParts() override { fs::remove_all(folder_); }
-
   /// A plate and a bolt that is there twice; with a prefix, each part in a file of its own.
   fs::path writeMachine(const char* prefix, const std::string& folder = "",
                         double length = 20) const {
@@ -58,8 +55,7 @@ class ExternalParts : public ::testing::Test {
     return path;
   }
 
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) / ("af2_external_" + std::to_string(::getpid()));
+  const testing::TestFolder folder_;
 };
 
 std::vector<int> facesOf(const Model& model, const std::string& part) {
@@ -99,9 +95,7 @@ TEST_F(ExternalParts, AreNamedIfTheyAreMissing) {
 
 /// Replaces all that is a text in a file.
 void replace(const fs::path& file, const std::string& from, const std::string& to) {
-  std::stringstream content;
-  content << std::ifstream(file).rdbuf();
-  std::string text = content.str();
+  std::string text = contentOf(file);
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
   std::ofstream(file) << text;
@@ -123,9 +117,7 @@ TEST_F(ExternalParts, MayHaveTheSameNameInOtherFolders) {
 
 /// Gives the first product of a file another file that describes it.
 void refer(const fs::path& from, const std::string& to) {
-  std::stringstream content;
-  content << std::ifstream(from).rdbuf();
-  std::string text = content.str();
+  std::string text = contentOf(from);
   const std::size_t definition = text.find(" = PRODUCT_DEFINITION(");
   ASSERT_NE(definition, std::string::npos);
   const std::size_t number = text.rfind('#', definition);
@@ -160,9 +152,7 @@ TEST_F(ExternalParts, HaveTheNamesThatTheFileGivesThem) {
   replace(assembly, "PRODUCT('plate','plate'", "PRODUCT('P-17','cover'");
   replace(assembly, "PRODUCT('bolt','bolt'", "PRODUCT('B-4',''");
   // The writer counts uses, from file to file, and makes names up.
-  std::stringstream content;
-  content << std::ifstream(assembly).rdbuf();
-  std::string text = content.str();
+  std::string text = contentOf(assembly);
   for (const char* const use :
        {"('1','','',", "('2','first','left bolt',", "('3','right bolt','',"}) {
     const std::regex unnamed("(_USAGE_OCCURRENCE)\\('[^']*','[^']*','[^']*',");

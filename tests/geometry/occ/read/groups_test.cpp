@@ -1,6 +1,5 @@
 // Names, layers, colours and solids of STEP files; elements of second order on CAD surfaces.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,14 +18,13 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "geometry/base/words.h"
 #include "geometry/mesh/second_order.h"
 #include "geometry/occ/run/mesh_model.h"
 #include "tests/geometry/occ/meshing.h"
-#include "tests/geometry/planar/poly_text.h"
 #include "tests/support/model_mesh.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -40,7 +38,7 @@ ModelMesh mesh(const Model& model, double size, int order) {
 }
 
 /// An assembly of a box and a cylinder, twice; the box is red but for one face, the rest is blue.
-std::filesystem::path writeAssembly() {
+void writeAssembly(const std::filesystem::path& path) {
   const Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
@@ -69,14 +67,11 @@ std::filesystem::path writeAssembly() {
   colors->SetColor(shapes->AddSubShape(boxLabel, side), Quantity_Color(0, 1, 0, Quantity_TOC_sRGB),
                    XCAFDoc_ColorSurf);
   layers->SetLayer(rodLabel, "turned parts");
-  const auto path = std::filesystem::path(::testing::TempDir()) /
-                    ("af2_groups_" + std::to_string(::getpid()) + ".step");
   Message::DefaultMessenger()->ChangePrinters().Clear();
   STEPCAFControl_Writer writer;
   writer.SetLayerMode(true);
   writer.Transfer(document);
   writer.Write(path.c_str());
-  return path;
 }
 
 std::size_t facesIn(const Model& model, GroupKind kind, const std::string& name) {
@@ -86,9 +81,9 @@ std::size_t facesIn(const Model& model, GroupKind kind, const std::string& name)
 }
 
 TEST(Groups, AreTheNamesLayersColorsAndSolidsOfAStepFile) {
-  const std::filesystem::path path = writeAssembly();
-  const Model model = readModel(path);
-  std::filesystem::remove(path);
+  const testing::TestFile file("assembly.step");
+  writeAssembly(file.path());
+  const Model model = readModel(file.path());
   ASSERT_EQ(model.faceCount(), 12);
   EXPECT_EQ(facesIn(model, GroupKind::Part, "machine"), 12u);
   EXPECT_EQ(facesIn(model, GroupKind::Part, "base"), 6u);
@@ -103,14 +98,11 @@ TEST(Groups, AreTheNamesLayersColorsAndSolidsOfAStepFile) {
 
 /// The standard has escapes for what is not ASCII, but many programs write names as they have them.
 TEST(Groups, HaveNamesInUtf8OrElseInWindows1252) {
-  std::ifstream stream(AF2_SOURCE_DIR
-                       "/examples/models"
-                       "/cylinder.step");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string text = contentOf(AF2_SOURCE_DIR "/examples/models/cylinder.step");
   const std::size_t face = text.find("ADVANCED_FACE('") + 15;
   for (const auto& [name, isNoted] :
        {std::pair("T\\X2\\00E4\\X0\\l", false), {"T\xc3\xa4l", false}, {"T\xe4l", true}}) {
-    const testing::TemporaryFile file("named.step", std::string(text).insert(face, name));
+    const testing::TestFile file("named.step", std::string(text).insert(face, name));
     const Model model = readModel(file.path());
     std::vector<std::string> names;
     for (int id = 1; id <= model.faceCount(); ++id) names.push_back(model.faceName(id));

@@ -1,6 +1,5 @@
 // Faces of a file that no reader can make anything of.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -10,22 +9,16 @@
 #include <STEPControl_Writer.hxx>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "geometry/base/words.h"
 #include "geometry/io/report.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
 #include "tests/geometry/occ/meshing.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
-
-std::string textOf(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 void replace(std::string& text, const std::string& what, const std::string& by) {
   const std::size_t place = text.find(what);
@@ -34,14 +27,14 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 }
 
 Model read(const std::string& name, const std::string& text) {
-  return readModel(testing::TemporaryFile(name, text).path());
+  return readModel(testing::TestFile(name, text).path());
 }
 
 /// The cylinder of the examples, the surface of which is of a kind that does not exist.
 Model withoutMantle() {
-  std::string text = textOf(AF2_SOURCE_DIR
-                            "/examples/models"
-                            "/cylinder.step");
+  std::string text = contentOf(AF2_SOURCE_DIR
+                               "/examples/models"
+                               "/cylinder.step");
   replace(text, "CYLINDRICAL_SURFACE(", "SPIRAL_SURFACE(");
   return read("lost.step", text);
 }
@@ -75,9 +68,9 @@ TEST(LostFaces, AreLostAfterHealing) {
 
 /// The brick with a hole, with another number in the place of one coordinate of a corner of it.
 std::string brickWith(const std::string& number) {
-  std::string text = textOf(AF2_SOURCE_DIR
-                            "/examples/models"
-                            "/brickhole.step");
+  std::string text = contentOf(AF2_SOURCE_DIR
+                               "/examples/models"
+                               "/brickhole.step");
   replace(text, "#25 = CARTESIAN_POINT('',(0.,0.,10.))",
           "#25 = CARTESIAN_POINT('#25=1.E+999',(0.,0.," + number + ")) /* #26=1.E+999 */");
   return text;
@@ -96,9 +89,9 @@ TEST(LostFaces, OfAStepFileAreThoseThatDependOnWhatIsNoNumber) {
 }
 
 TEST(LostFaces, OfAStepFileAreThoseWhoseBoundaryIsLost) {
-  std::string text = textOf(AF2_SOURCE_DIR
-                            "/examples/models"
-                            "/brickhole.step");
+  std::string text = contentOf(AF2_SOURCE_DIR
+                               "/examples/models"
+                               "/brickhole.step");
   replace(text, "FACE_BOUND('',", "FACE_BOUNT('',");
   const Model model = read("bound.step", text);
   EXPECT_EQ(model.faceCount(), 9);
@@ -117,9 +110,9 @@ std::string rationalInStep() {
   STEPControl_Writer writer;
   writer.Transfer(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(2, 5).Shape()).Shape(),
                   STEPControl_AsIs);
-  const testing::TemporaryFile file("rational.step", "");
+  const testing::TestFile file("rational.step");
   writer.Write(file.path().c_str());
-  return textOf(file.path());
+  return contentOf(file.path());
 }
 
 /// OpenCASCADE does not read an entity that leaves its name out.
@@ -140,9 +133,9 @@ std::string boxInIges() {
   IGESControl_Writer writer("MM", 0);
   writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
   writer.ComputeModel();
-  const testing::TemporaryFile file("box.igs", "");
+  const testing::TestFile file("box.igs");
   writer.Write(file.path().c_str());
-  return textOf(file.path());
+  return contentOf(file.path());
 }
 
 TEST(LostFaces, OfAnIgesFileAreNamed) {

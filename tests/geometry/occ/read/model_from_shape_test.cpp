@@ -10,7 +10,7 @@
 #include "geometry/mesh/fingerprint.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/shapes.h"
-#include "tests/geometry/planar/poly_text.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -35,7 +35,7 @@ TopoDS_Shape faceOf(const TopoDS_Shape& shape, int index) {
 
 TEST(ModelFromShape, IsTheModelOfABrepFileWithThisShape) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(2, 3, 1).Shape();  // written without rounding
-  const testing::TemporaryFile file("box.brep", "");
+  const testing::TestFile file("box.brep");
   BRepTools::Write(box, file.path().c_str());
   EXPECT_EQ(fingerprint(testing::mesh(modelFrom(box), 0.3)),
             fingerprint(testing::mesh(readModel(file.path()), 0.3)));

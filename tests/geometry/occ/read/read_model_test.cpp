@@ -7,7 +7,9 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
 #include "geometry/occ/model/model.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -18,21 +20,8 @@ const fs::path kModels = AF2_SOURCE_DIR "/examples/models";
 /// A folder for the files of one test.
 class ReadModel : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("af2_read_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
-  static std::string textOf(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return folder_.write(name, text);
   }
   static std::string messageOf(const fs::path& path) {
     try {
@@ -47,7 +36,7 @@ class ReadModel : public ::testing::Test {
     return text.find(part) != std::string::npos;
   }
 
-  fs::path folder_;
+  testing::TestFolder folder_;
 };
 
 TEST_F(ReadModel, ReadsStepAndBrepAlike) {
@@ -87,7 +76,7 @@ TEST_F(ReadModel, LeavesTheSettingsOfOtherReadersAlone) {
 }
 
 TEST_F(ReadModel, GoesByTheContentNotTheName) {
-  const fs::path path = file("model.txt", textOf(kModels / "cylinder.step"));
+  const fs::path path = file("model.txt", contentOf(kModels / "cylinder.step"));
   EXPECT_EQ(readModel(path).faceCount(), 3);
 }
 
@@ -101,7 +90,7 @@ TEST_F(ReadModel, KnowsTheTypesOfSurfaces) {
 
 TEST_F(ReadModel, SaysWhenThereIsNoFile) {
   EXPECT_TRUE(says(messageOf(folder_ / "none.step"), "there is no such file"));
-  EXPECT_TRUE(says(messageOf(folder_), "is a folder"));
+  EXPECT_TRUE(says(messageOf(folder_.path()), "is a folder"));
 }
 
 TEST_F(ReadModel, SaysWhenTheFileIsEmptyOrSomethingElse) {
@@ -114,7 +103,7 @@ TEST_F(ReadModel, SaysWhenTheFileIsEmptyOrSomethingElse) {
 
 TEST_F(ReadModel, SaysWhenTheFileIsCutOff) {
   for (const std::string name : {"cylinder.step", "cylinder.brep"}) {
-    const std::string text = textOf(kModels / name);
+    const std::string text = contentOf(kModels / name);
     for (const double share : {0.1, 0.5, 0.9, 0.99}) {
       const auto size = static_cast<std::size_t>(share * static_cast<double>(text.size()));
       EXPECT_TRUE(says(messageOf(file(name, text.substr(0, size))), "damaged or truncated"))
@@ -124,7 +113,7 @@ TEST_F(ReadModel, SaysWhenTheFileIsCutOff) {
 }
 
 TEST_F(ReadModel, SurvivesStepFilesThatReferToNothing) {
-  std::string text = textOf(kModels / "cylinder.step");
+  std::string text = contentOf(kModels / "cylinder.step");
   // Without its vertices, OpenCASCADE's translator would dereference null.
   for (std::size_t at = text.find("VERTEX_POINT"); at != std::string::npos;
        at = text.find("VERTEX_POINT", at + 1))

@@ -1,6 +1,5 @@
 // Names, layers and colours of STEP files, compared with those that OpenCASCADE's document has.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -32,6 +31,7 @@
 
 #include "geometry/occ/model/model.h"
 #include "geometry/occ/model/model_shape.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -219,9 +219,7 @@ std::string textOf(const std::vector<FaceGroup>& groups) {
 }
 
 void expectThoseOfTheDocument(const char* prefix) {
-  const fs::path folder =
-      fs::path(::testing::TempDir()) / ("af2_attributes_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
+  const testing::TestFolder folder;
   std::size_t groups = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
     const fs::path path = folder / ("model" + std::to_string(seed) + ".step");
@@ -233,7 +231,6 @@ void expectThoseOfTheDocument(const char* prefix) {
     groups += model.groups().size();
   }
   EXPECT_GT(groups, 300u);
-  fs::remove_all(folder);
 }
 
 TEST(StepAttributes, AreThoseThatOpenCascadesDocumentHas) { expectThoseOfTheDocument(nullptr); }

@@ -25,6 +25,7 @@
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/run/dirt.h"
 #include "tests/support/model_mesh.h"
+#include "tests/support/test_folder.h"
 
 namespace af2::geometry {
 namespace {
@@ -92,16 +93,14 @@ TEST(Dirt, AModelTooFarFromTheOriginForItsSizeIsRefused) {
 TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
   for (const auto& [unit, name] : {std::pair("INCH", "inch"), std::pair("UM", "micrometre")}) {
     SCOPED_TRACE(unit);
-    const auto file =
-        std::filesystem::temp_directory_path() / (std::string("af2_") + unit + ".step");
+    const testing::TestFile file("block.step");
     STEPControl_Controller::Init();  // knows the settings
     Interface_Static::SetCVal("write.step.unit", unit);
     STEPControl_Writer writer;
     writer.Transfer(drilledBlock(1), STEPControl_AsIs);
-    ASSERT_EQ(writer.Write(file.c_str()), IFSelect_RetDone);
+    ASSERT_EQ(writer.Write(file.path().c_str()), IFSelect_RetDone);
     Interface_Static::SetCVal("write.step.unit", "MM");
-    const Model model = readModel(file);
-    std::filesystem::remove(file);
+    const Model model = readModel(file.path());
     EXPECT_EQ(model.unit(), "mm");
     std::string told = model.fileUnit();
     std::ranges::transform(told, told.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -114,15 +113,11 @@ TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
 
 /// In IGES all faces are loose.
 Model throughIges(const TopoDS_Shape& shape) {
-  // Tests run at the same time, each in a process of its own.
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const auto file = std::filesystem::temp_directory_path() / ("af2_" + test + ".iges");
+  const testing::TestFile file("shape.iges");
   IGESControl_Writer writer("MM", 0);
   writer.AddShape(shape);
-  EXPECT_TRUE(writer.Write(file.c_str()));
-  const Model model = readModel(file);
-  std::filesystem::remove(file);
-  return model;
+  EXPECT_TRUE(writer.Write(file.path().c_str()));
+  return readModel(file.path());
 }
 
 TopoDS_Shape movedUp(const TopoDS_Shape& shape, double height) {
