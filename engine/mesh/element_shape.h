@@ -99,11 +99,11 @@ inline double cornerDistortion(const Point3& corner, const Point3& ahead, const 
 /// Whether the distortion of a triangle is below a limit, by a margin far larger than any rounding
 /// error, whatever way it faces. Needs neither a root nor a division. False means: not certain.
 ///
-/// turned  cross(b - a, c - a)
-inline bool isPlainlyBelow(double limit, const Point3& a, const Point3& b, const Point3& c,
-                           const Point3& turned) {
+/// p, q    two of its sides, from the same corner
+/// turned  cross(p, q)
+inline bool isPlainlyBelow(double limit, const Point3& p, const Point3& q, const Point3& turned) {
   constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
-  const Point3 p = b - a, q = c - a, r = c - b;
+  const Point3 r = q - p;
   const double squares = dot(p, p) + dot(q, q) + dot(r, r);
   return squares * squares < kCertain * limit * limit * kTwelve * dot(turned, turned);
 }
@@ -111,10 +111,11 @@ inline bool isPlainlyBelow(double limit, const Point3& a, const Point3& b, const
 /// The same, and whether it faces the way the surface does.
 inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoint& b,
                            const SurfacePoint& c) {
-  const Point3 turned = cross(b.position - a.position, c.position - a.position);
+  const Point3 p = b.position - a.position, q = c.position - a.position;
+  const Point3 turned = cross(p, q);
   for (const SurfacePoint* corner : {&a, &b, &c})
     if (!facesNormal(turned, corner->normal)) return false;
-  return isPlainlyBelow(limit, a.position, b.position, c.position, turned);
+  return isPlainlyBelow(limit, p, q, turned);
 }
 
 /// Distortion of a triangle: 1 for the equilateral one, unbounded above, infinite for one that

@@ -8,33 +8,10 @@
 namespace af2 {
 namespace {
 
-/// The corners of a mesh, grouped by the smaller vertex of the side that begins there.
-struct SidesByVertex {
-  std::vector<std::uint32_t> first;
-  std::vector<Corner> sides;
-};
-
-VertexId endOf(const Mesh& mesh, std::size_t e, std::size_t i) {
-  const auto corners = mesh.elements[e].vertices();
-  return corners[(i + 1) % corners.size()];
-}
-
-SidesByVertex sortSides(const Mesh& mesh) {
-  SidesByVertex result;
-  result.first.assign(mesh.vertices.size() + 2, 0);
-  const auto forEachSide = [&](auto&& visit) {
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      const auto corners = mesh.elements[e].vertices();
-      for (std::size_t i = 0; i < corners.size(); ++i)
-        visit(std::min(corners[i], endOf(mesh, e, i)).value, Corner(e, i));
-    }
-  };
-  std::size_t total = 0;
-  forEachSide([&](std::uint32_t v, Corner) { ++result.first[v + 2], ++total; });
-  for (std::size_t v = 2; v < result.first.size(); ++v) result.first[v] += result.first[v - 1];
-  result.sides.resize(total);
-  forEachSide([&](std::uint32_t v, Corner c) { result.sides[result.first[v + 1]++] = c; });
-  return result;
+void forAllCorners(const Mesh& mesh, auto&& visit) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.elements[e].size()); ++i)
+      visit(Corner(e, i));
 }
 
 }  // namespace
@@ -44,20 +21,34 @@ MeshTopology::MeshTopology(Mesh& mesh, const MeshBoundary& boundary)
       fixedCount_(boundary.fixedCount),
       across_(4 * mesh.elements.size()),
       cornerOf_(mesh.vertices.size()),
-      valence_(mesh.vertices.size(), 0) {
+      valence_(mesh.vertices.size(), 0),
+      grades_(mesh.elements.size(), 0) {
   AF2_CHECK(mesh.elements.size() < (1u << 29), "a region has fewer than 2^29 elements");
-  const SidesByVertex sorted = sortSides(mesh);
-  for (std::size_t v = 0; v + 1 < sorted.first.size(); ++v) {
-    for (std::uint32_t i = sorted.first[v]; i < sorted.first[v + 1]; ++i) {
-      const Corner c = sorted.sides[i];
-      for (std::uint32_t j = i + 1; j < sorted.first[v + 1]; ++j) {
-        const Corner d = sorted.sides[j];
-        if (vertexAt(c) == vertexAt(next(d)) && vertexAt(next(c)) == vertexAt(d)) setAcross(c, d);
-      }
+  pairSides();
+  findCorners(boundary);
+}
+
+/// Sides whose other element has not come yet wait in a list for the smaller of their vertices. The
+/// list begins in `cornerOf_` and goes on in `across_`, which have nothing else to hold so far.
+void MeshTopology::pairSides() {
+  forAllCorners(mesh_, [&](Corner c) {
+    const VertexId from = vertexAt(c), to = vertexAt(next(c));
+    Corner* link = &cornerOf_[std::min(from, to).value];
+    while (!link->isNone() && (vertexAt(*link) != to || vertexAt(next(*link)) != from))
+      link = &across_[static_cast<std::size_t>(link->code)];
+    const Corner partner = *link;
+    if (partner.isNone()) {
+      *link = c;
+    } else {
+      *link = across(partner);
+      setAcross(c, partner);
     }
-  }
-  cutAt(boundary);
-  findCorners();
+  });
+  for (Corner& waiting : cornerOf_)
+    while (!waiting.isNone()) {
+      const Corner side = std::exchange(waiting, across(waiting));
+      across_[static_cast<std::size_t>(side.code)] = Corner();
+    }
 }
 
 /// Joins two sides; a side without a partner lies on the rim.
@@ -67,27 +58,18 @@ void MeshTopology::setAcross(Corner c, Corner d) {
 }
 
 /// Lines inside the region, and seams, have elements on both sides; they must stay edges.
-void MeshTopology::cutAt(const MeshBoundary& boundary) {
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
-      const Corner c(e, i);
-      if (across(c).isNone() || !boundary.contains(vertexAt(c), vertexAt(next(c)))) continue;
+void MeshTopology::findCorners(const MeshBoundary& boundary) {
+  forAllCorners(mesh_, [&](Corner c) {
+    const VertexId v = vertexAt(c);
+    if (!across(c).isNone() && boundary.contains(v, vertexAt(next(c)))) {
       setAcross(across(c), Corner());
       setAcross(c, Corner());
     }
-  }
-}
-
-void MeshTopology::findCorners() {
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
-      const Corner c(e, i);
-      Corner& first = cornerOf_[vertexAt(c).value];
-      if (first.isNone() || across(c).isNone()) first = c;
-      std::uint8_t& valence = valence_[vertexAt(c).value];
-      if (valence < 255) ++valence;
-    }
-  }
+    Corner& first = cornerOf_[v.value];
+    if (first.isNone() || across(c).isNone()) first = c;
+    std::uint8_t& valence = valence_[v.value];
+    if (valence < 255) ++valence;
+  });
 }
 
 std::vector<double> MeshTopology::anglesAtFixed() const {
@@ -95,14 +77,11 @@ std::vector<double> MeshTopology::anglesAtFixed() const {
   const auto at = [&](Corner c) -> const Point3& {
     return mesh_.vertices[vertexAt(c).value].position;
   };
-  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
-      const Corner c(e, i);
-      if (!isFixed(vertexAt(c))) continue;
-      const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
-      angles[vertexAt(c).value] += std::atan2(length(cross(p, q)), dot(p, q));
-    }
-  }
+  forAllCorners(mesh_, [&](Corner c) {
+    if (!isFixed(vertexAt(c))) return;
+    const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
+    angles[vertexAt(c).value] += std::atan2(length(cross(p, q)), dot(p, q));
+  });
   return angles;
 }
 
@@ -184,6 +163,12 @@ VertexId MeshTopology::addVertex(const SurfacePoint& point) {
 void MeshTopology::move(VertexId v, const SurfacePoint& point) {
   mesh_.vertices[v.value] = point;
   changed_.push_back(v);
+  const Corner first = cornerOf(v);
+  for (Corner c = first; !c.isNone();) {
+    dropGrade(c.element());
+    c = aroundVertex(c);
+    if (c == first) break;
+  }
 }
 
 std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
@@ -211,6 +196,7 @@ std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,
     mesh_.elements.emplace_back();
     mesh_.origins.push_back(mesh_.origins[places[0]]);
     across_.resize(4 * mesh_.elements.size());
+    grades_.push_back(0);
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
     mesh_.elements[places[k]] = k < elements.size() ? elements[k] : Element();

@@ -76,16 +76,24 @@ class MeshTopology {
   void move(VertexId v, const SurfacePoint& point);
   /// The vertices of all elements that changed since the last call, unordered and with repetitions.
   std::vector<VertexId> takeChanged() { return std::exchange(changed_, {}); }
+  /// What was found out about an element (by whoever gives such grades) since it or one of its
+  /// vertices last changed; 0: nothing.
+  std::uint8_t gradeOf(std::size_t element) const { return grades_[element]; }
+  void setGrade(std::size_t element, std::uint8_t grade) { grades_[element] = grade; }
+  /// For those who move vertices themselves.
+  void dropGrade(std::size_t element) { grades_[element] = 0; }
+
   /// Removes what collapses left dead. The topology must not be used afterwards.
   void compact();
 
  private:
   void setAcross(Corner c, Corner d);
-  void cutAt(const MeshBoundary& boundary);
-  void findCorners();
+  void pairSides();
+  void findCorners(const MeshBoundary& boundary);
   void renewCornerOf(Corner c);
   void noteChange(std::size_t element) {
     mesh_.origins[element].isChanged = true;
+    dropGrade(element);
     const auto vertices = mesh_.elements[element].vertices();
     changed_.insert(changed_.end(), vertices.begin(), vertices.end());
   }
@@ -96,6 +104,7 @@ class MeshTopology {
   std::vector<Corner> cornerOf_;
   std::vector<std::uint8_t> valence_;
   std::vector<VertexId> changed_;
+  std::vector<std::uint8_t> grades_;
 };
 
 }  // namespace af2

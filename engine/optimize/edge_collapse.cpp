@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/mesh/element_shape.h"
+#include "engine/mesh/triangle_grades.h"
 
 namespace af2 {
 namespace {
@@ -51,7 +52,7 @@ class Collapser {
   /// Marks the vertices of a bad triangle.
   void look(std::size_t e) {
     const auto corners = topology_.mesh().elements[e].vertices();
-    if (topology_.isDead(e) || corners.size() != 3) return;
+    if (topology_.isDead(e) || corners.size() != 3 || isGood(topology_, e)) return;
     if (isPlainlyBelow(kBadDistortion, at(corners[0]), at(corners[1]), at(corners[2]))) return;
     for (VertexId v : corners) mayBeBad_[v.value] = 1;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/mesh/element_shape.h"
+#include "engine/mesh/triangle_grades.h"
 
 namespace af2 {
 namespace {
@@ -28,7 +29,6 @@ class Swapper {
         watch_(watch) {
     const std::size_t elements = topology.mesh().elements.size();
     mayChange_.resize(elements);
-    if (goal == SwapGoal::Shape) isGood_.resize(elements);
     for (std::size_t e = 0; e < elements; ++e) {
       if (topology.isDead(e)) continue;
       if (goal == SwapGoal::Shape)
@@ -59,7 +59,8 @@ class Swapper {
   bool trySwap(Corner side) {
     const Corner other = topology_.across(side);
     if (other.isNone()) return false;
-    if (goal_ == SwapGoal::Shape && isGood_[side.element()] && isGood_[other.element()])
+    if (goal_ == SwapGoal::Shape && isGood(topology_, side.element()) &&
+        isGood(topology_, other.element()))
       return false;
     if (topology_.sizeOf(side) != 3 || topology_.sizeOf(other) != 3) return false;
     const VertexId a = topology_.vertexAt(side), b = topology_.vertexAt(topology_.next(side));
@@ -83,14 +84,9 @@ class Swapper {
                                       : FinishAct::Kind::SwapForQuality;
   }
 
-  /// Records whether a triangle is too good to be swapped.
+  /// Marks a triangle unless it is too good to be swapped.
   void look(std::size_t e) {
-    const Element& element = topology_.mesh().elements[e];
-    if (element.isQuad()) return;
-    const auto& vertices = topology_.mesh().vertices;
-    const auto& [a, b, c, none] = element.corners;
-    isGood_[e] = isPlainlyBelow(kBest, vertices[a.value], vertices[b.value], vertices[c.value]);
-    if (!isGood_[e]) mark(e);
+    if (!topology_.mesh().elements[e].isQuad() && !isGood(topology_, e)) mark(e);
   }
 
   /// The sides of an element are to be looked at, each from either of its two elements.
@@ -116,7 +112,7 @@ class Swapper {
       return before - after >= leastGain_ && worst(a, d, c, d, b, c) < kFairAfterSwap;
     }
     const double before = worst(a, b, c, b, a, d);
-    if (before < kBest) return false;
+    if (before < kGoodTriangle) return false;
     return worst(a, d, c, d, b, c) < (1 - 1e-9) * before;
   }
 
@@ -127,9 +123,6 @@ class Swapper {
     const auto& vertices = topology_.mesh().vertices;
     return triangleDistortion(vertices[a.value], vertices[b.value], vertices[c.value]);
   }
-
-  /// If both triangles are better than this, the swap cannot improve both.
-  static constexpr double kBest = 1.05;
 
   MeshTopology& topology_;
   SwapGoal goal_;
@@ -142,7 +135,6 @@ class Swapper {
   /// only where several vertices are irregular; where swaps alone have made all of them so, the
   /// next round sees it.
   std::vector<std::uint8_t> mayChange_;
-  std::vector<std::uint8_t> isGood_;  ///< by element, for the Shape goal only
 };
 
 }  // namespace

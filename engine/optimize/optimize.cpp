@@ -8,6 +8,7 @@
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
+#include "engine/mesh/triangle_grades.h"
 #include "engine/optimize/corner_mending.h"
 #include "engine/optimize/edge_collapse.h"
 #include "engine/optimize/edge_swap.h"
@@ -29,7 +30,7 @@ bool isPoor(const Mesh& mesh, const Element& element) {
     return mesh.vertices[element.corners[i].value].position;
   };
   if (element.size() == 3)
-    return !isPlainlyBelow(kPoorDistortion, at(0), at(1), at(2),
+    return !isPlainlyBelow(kPoorDistortion, at(1) - at(0), at(2) - at(0),
                            cross(at(1) - at(0), at(2) - at(0))) &&
            cornerDistortion(at(0), at(1), at(2), true) > kPoorDistortion;
   for (std::size_t i = 0; i < 4; ++i)
@@ -41,7 +42,7 @@ bool isPoor(const Mesh& mesh, const Element& element) {
 /// Elements that may be poor, and the inner vertices of these elements.
 class PoorElements {
  public:
-  explicit PoorElements(const MeshTopology& topology) : topology_(topology) {
+  explicit PoorElements(MeshTopology& topology) : topology_(topology) {
     for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e)
       if (!topology.isDead(e)) look(e);
     sortOut();
@@ -68,7 +69,7 @@ class PoorElements {
  private:
   void look(std::size_t e) {
     const Element& element = topology_.mesh().elements[e];
-    if (!isPoor(topology_.mesh(), element)) return;
+    if (isGood(topology_, e) || !isPoor(topology_.mesh(), element)) return;
     for (const VertexId v : element.vertices())
       if (!topology_.isFixed(v)) vertices_.push_back(v);
   }
@@ -77,12 +78,12 @@ class PoorElements {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  const MeshTopology& topology_;
+  MeshTopology& topology_;
   std::vector<VertexId> vertices_;
 };
 
 /// Smooths the poor elements that remain after the general smoothing, each individually.
-std::size_t mendPoorElements(const MeshTopology& topology, VertexSmoother& smoother,
+std::size_t mendPoorElements(MeshTopology& topology, VertexSmoother& smoother,
                              const WorkWatch& watch) {
   constexpr int kRounds = 3, kSweeps = 2;
   PoorElements poor(topology);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
+#include "engine/mesh/triangle_grades.h"
 
 namespace af2 {
 namespace {
@@ -129,8 +131,10 @@ Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double ene
 
 /// A step of Newton's method from the origin, shortened until it lowers the energy; (0, 0) if none
 /// does.
+///
+/// relaxation  factor of the first step tried
 template <int kPower>
-Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
+Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach, double relaxation) {
   constexpr int kHalvings = 4;
   const Energy e = derivativesOf<kPower>(terms);
   if (!std::isfinite(e.value)) return {};
@@ -144,6 +148,7 @@ Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach) {
     if (!(slope > 0)) return {};
     step = (-0.25 * reach / slope) * e.gradient;
   }
+  step = relaxation * step;
   if (length(step) > kMaxOfReach * reach) step = (kMaxOfReach * reach / length(step)) * step;
   for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
     const double energy = energyAt<kPower>(terms, step);
@@ -162,14 +167,20 @@ constexpr double kFair = 2;
 constexpr double kMinMove = 1e-3;
 /// Triangles need not follow smaller moves than this: the vertex then sleeps, and its neighbours
 /// are not woken. Quadrilaterals converge in many small moves, so this does not apply to them.
-constexpr double kWakingMove = 0.01;
+constexpr double kWakingMove = 0.025;
+/// Over-relaxation: neighbours move the same way, so that a vertex that is moved on to where they
+/// will want it settles in half as many visits. Not where the worst element decides.
+constexpr double kRelaxation = 1.3;
 
 }  // namespace
 
 VertexSmoother::VertexSmoother(MeshTopology& topology, Mesh& mesh,
                                const AF2LocalTransformMaker& maker, ActRecorder* recorder)
     : topology_(topology), mesh_(mesh), maker_(maker), recorder_(recorder) {
-  isAwake_.assign(mesh.vertices.size(), 1);
+  isAwake_.assign(mesh.vertices.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    if (!topology.isDead(e) && gradeOf(topology, e) != TriangleGrade::Even)
+      wake(mesh.elements[e].vertices());
 }
 
 void VertexSmoother::wake(std::span<const VertexId> vertices) {
@@ -231,24 +242,34 @@ bool VertexSmoother::collectStar(Corner first) {
 
 double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
   if (!makeTerms(chart)) return 0;
-  const bool isForAll = goal == Goal::All;
-  const Point2 target =
-      isForAll ? improvedPosition<2>(terms_, reach_) : improvedPosition<16>(terms_, reach_);
-  const double move = length(target) / reach_;
+  const Point2 step = goal == Goal::All ? improvedPosition<2>(terms_, reach_, kRelaxation)
+                                        : improvedPosition<16>(terms_, reach_, 1);
+  const double move = length(step) / reach_;
   if (!(move >= kMinMove)) return 0;
-  const auto lifted = chart.lift(target);
+  const auto lifted = chart.lift(step);
   if (!lifted) return 0;
   SurfacePoint& here = mesh_.vertices[v.value];
-  const SurfacePoint before = here;
-  here = *lifted;
-  if (isForAll && chart.isPlane()) return move;  // an improvement for certain
-  if (isForAll && areAllPlainlyGood()) return move;
-  const double worst = worstDistortion();
-  if (isForAll && worst <= kGoodDistortion) return move;
-  here = before;
-  if (worst > worstDistortion()) return 0;
-  here = *lifted;
+  const SurfacePoint before = std::exchange(here, *lifted);
+  if (!isImproved(here, before, chart, goal)) {
+    here = before;
+    return 0;
+  }
+  for (Corner c : star_) topology_.dropGrade(c.element());
   return move;
+}
+
+/// Whether the elements around a vertex are better for its move.
+bool VertexSmoother::isImproved(SurfacePoint& here, const SurfacePoint& before,
+                                const StepChart& chart, Goal goal) const {
+  const bool isForAll = goal == Goal::All;
+  if (isForAll && chart.isPlane()) return true;  // for certain
+  if (isForAll && areAllPlainlyGood()) return true;
+  const double worst = worstDistortion();
+  if (isForAll && worst <= kGoodDistortion) return true;
+  const SurfacePoint after = std::exchange(here, before);
+  const double worstBefore = worstDistortion();
+  here = after;
+  return !(worst > worstBefore);
 }
 
 bool VertexSmoother::isFixed(Corner c) const {
@@ -259,16 +280,28 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   terms_.clear();
   upright_.clear();
   double shortest = INFINITY;  // squared
+  // A projection shortens edges that leave its plane: where curvature varies, vertices would drift
+  // to where it is larger. In their directions in the chart, edges are drawn as long as they are.
+  const Point3& here = at(star_.front()).position;
+  const double squaredUnit = chart.unit() * chart.unit();
+  const auto drawn = [&](Corner c) {
+    ChartPoint point = chart.project(at(c));
+    if (chart.isPlane()) return point;
+    const Point3 edge = at(c).position - here;
+    const double seen = squaredUnit * dot(point.position, point.position);
+    if (seen > 0) point.position = std::sqrt(dot(edge, edge) / seen) * point.position;
+    return point;
+  };
   // Around the vertex, the edge behind one element is the edge ahead of the next.
-  ChartPoint ahead = chart.project(at(topology_.next(star_.front())));
+  ChartPoint ahead = drawn(topology_.next(star_.front()));
   for (Corner c : star_) {
-    const ChartPoint behind = chart.project(at(topology_.previous(c)));
+    const ChartPoint behind = drawn(topology_.previous(c));
     if (behind.view == ChartView::Hidden) return false;
     shortest = std::min(shortest, dot(ahead.position, ahead.position));
     if (topology_.sizeOf(c) == 3) {
       terms_.push_back(triangleTerm(ahead.position, behind.position));
     } else {
-      const Point2 opposite = chart.project(at(topology_.next(topology_.next(c)))).position;
+      const Point2 opposite = drawn(topology_.next(topology_.next(c))).position;
       terms_.push_back(ownCornerTerm(ahead.position, behind.position));
       terms_.push_back(nextCornerTerm(ahead.position, opposite));
       if (isFixed(topology_.next(c)))
@@ -288,13 +321,22 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
 }
 
 bool VertexSmoother::areAllPlainlyGood() const {
-  return std::ranges::all_of(star_, [&](Corner c) {
-    const Element& element = mesh_.elements[c.element()];
-    const auto corner = [&](std::size_t i) -> const SurfacePoint& {
-      return mesh_.vertices[element.corners[i].value];
-    };
-    return !element.isQuad() && isPlainlyBelow(kGoodDistortion, corner(0), corner(1), corner(2));
-  });
+  const SurfacePoint& here = at(star_.front());
+  // Around the vertex, the edge behind one element is the edge ahead of the next.
+  const SurfacePoint* ahead = &at(topology_.next(star_.front()));
+  Point3 p = ahead->position - here.position;
+  for (Corner c : star_) {
+    if (topology_.sizeOf(c) != 3) return false;
+    const SurfacePoint* const behind = &at(topology_.previous(c));
+    const Point3 q = behind->position - here.position;
+    const Point3 turned = cross(p, q);
+    for (const SurfacePoint* corner : {&here, ahead, behind})
+      if (!facesNormal(turned, corner->normal)) return false;
+    if (!isPlainlyBelow(kGoodDistortion, p, q, turned)) return false;
+    ahead = behind;
+    p = q;
+  }
+  return true;
 }
 
 double VertexSmoother::worstDistortion() const {

@@ -45,6 +45,8 @@ class VertexSmoother {
   double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
   double moveInChart(VertexId v, const StepChart& chart, Goal goal);
+  bool isImproved(SurfacePoint& here, const SurfacePoint& before, const StepChart& chart,
+                  Goal goal) const;
   bool isFixed(Corner c) const;
   bool makeTerms(const StepChart& chart);
   bool areAllPlainlyGood() const;

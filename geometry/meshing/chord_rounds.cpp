@@ -81,7 +81,7 @@ MeasuredMesh measured(const FaceSource& source, const MeshingOptions& options, M
 
 MeasuredMesh meshWithinChords(MeshingOptions options,
                               const std::function<MeasuredMesh(const MeshingOptions&)>& make) {
-  constexpr int kMostRounds = 8;
+  constexpr int kMostRounds = 12;
   constexpr double kLeastAim = 0.05;  // more does not come from scatter
   constexpr double kMargin = 1.1;     // so that few rounds are enough
   std::optional<MeasuredMesh> best;
@@ -90,10 +90,14 @@ MeasuredMesh meshWithinChords(MeshingOptions options,
     std::vector<SizeSource> tooFar = std::move(next.deviations.tooFar);
     const std::map<int, double> scatter = next.deviations.scatter;
     if (!best || isBetter(next, *best)) best = std::move(next);
-    if ((tooFar.empty() && scatter.empty()) || options.stop.stop_requested()) break;
-    for (const auto& [face, ratio] : scatter)
-      options.sizes.chords.aims[face] =
-          std::max(kLeastAim, options.sizes.chords.aimOf(face) / (kMargin * ratio));
+    bool isSame = tooFar.empty();
+    for (const auto& [face, ratio] : scatter) {
+      const double before = options.sizes.chords.aimOf(face);
+      const double aim = std::max(kLeastAim, before / (kMargin * ratio));
+      options.sizes.chords.aims[face] = aim;
+      isSame = isSame && aim == before;
+    }
+    if (isSame || options.stop.stop_requested()) break;
     addSources(std::move(tooFar), options.sizes.minSize, options.sizes.sources);
   }
   reportExcess(options, *best);
