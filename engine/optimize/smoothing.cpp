@@ -280,8 +280,9 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   terms_.clear();
   upright_.clear();
   double shortest = INFINITY;  // squared
-  // A projection shortens edges that leave its plane: where curvature varies, vertices would drift
-  // to where it is larger. In their directions in the chart, edges are drawn as long as they are.
+  // The plane of a chart leans towards the neighbour that it was made with. Edges that leave it
+  // look shorter than they are, and the vertex would drift at each visit; they are drawn as long as
+  // they are.
   const Point3& here = at(star_.front()).position;
   const double squaredUnit = chart.unit() * chart.unit();
   const auto drawn = [&](Corner c) {

@@ -152,6 +152,45 @@ TEST(MeshTopology, TellsWhichVerticesHaveOtherElements) {
   });
 }
 
+/// Gives each element a grade, and returns the elements that have none after some work.
+template <class Work>
+std::set<std::size_t> ungradedAfter(MeshTopology& topology, const Work& work) {
+  for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e) topology.setGrade(e, 7);
+  work();
+  std::set<std::size_t> found;
+  for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e)
+    if (topology.gradeOf(e) == 0) found.insert(e);
+  return found;
+}
+
+TEST(MeshTopology, ForgetsGradesOfElementsThatChange) {
+  {
+    Hexagon hexagon;
+    MeshTopology topology(hexagon.mesh, boundaryOf(hexagon.input));
+    const std::set<std::size_t> both{topology.across({0, 0}).element(), 0};
+    EXPECT_EQ(ungradedAfter(topology, [&] { topology.swap({0, 0}); }), both);
+    EXPECT_EQ(ungradedAfter(topology, [&] { topology.move(VertexId(6), hexagon.mesh.vertices[6]); })
+                  .size(),
+              5u);
+  }
+  {
+    Hexagon hexagon;
+    MeshTopology topology(hexagon.mesh, boundaryOf(hexagon.input));
+    const auto ungraded = ungradedAfter(topology, [&] { topology.collapse({0, 0}); });
+    for (std::size_t e = 0; e < 6; ++e)
+      EXPECT_TRUE(topology.isDead(e) || ungraded.contains(e)) << e;
+  }
+  QuadGrid grid(3);
+  const auto [a, b, c, d] = grid.element(1, 1).corners;
+  MeshTopology topology(grid.mesh, boundaryOf(grid.input));
+  EXPECT_EQ(
+      ungradedAfter(topology,
+                    [&] {
+                      topology.replace({4}, std::vector<Element>{{{a, b, c, {}}}, {{a, c, d, {}}}});
+                    }),
+      (std::set<std::size_t>{4, 9}));
+}
+
 TEST(MeshTopology, IsCutAlongLinesInsideTheRegion) {
   // A square with one diagonal that must stay: 0 -> 2 and 2 -> 0 are boundary edges.
   Mesh mesh;

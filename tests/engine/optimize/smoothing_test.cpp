@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/mesh/element_shape.h"
 #include "tests/support/meshing.h"
 #include "tests/support/quad_grid.h"
 
@@ -119,6 +121,108 @@ TEST(Smoothing, ColumnsStandMoreUprightOnTheBoundary) {
   };
   EXPECT_GT(lean(0), 0);
   EXPECT_LT(lean(0), 0.5 * lean(kSquares / 2));
+}
+
+/// The sheet z = cosh(x), which bends more in its middle than beside it.
+struct HangingSheet {
+  static SurfacePoint at(double x, double y) {
+    return {{x, y, std::cosh(x)}, unit(Point3{-std::sinh(x), 0, 1}), x, y};
+  }
+  /// The point at some length along the sheet from its middle.
+  static SurfacePoint atLength(double s, double y) { return at(std::asinh(s), y); }
+
+  /// A plane normal to the mean of the normals of an edge, and back along its normal.
+  class Chart final : public AF2LocalTransform {
+   public:
+    Chart(const SurfacePoint& from, const SurfacePoint& to, double unit)
+        : plane_(from, to, af2::unit(from.normal + to.normal), unit) {}
+    ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+      return plane_.transformFromSurface(p);
+    }
+    std::optional<SurfacePoint> transformToSurface(Point2 p) const override {
+      const SurfacePoint start = *plane_.transformToSurface(p);
+      Point3 place = start.position;
+      for (int i = 0; i < 20; ++i) {
+        const SurfacePoint below = at(place.x, place.y);
+        const double height = dot(place - below.position, below.normal);
+        place = place - (height / dot(start.normal, below.normal)) * start.normal;
+      }
+      return at(place.x, place.y);
+    }
+
+   private:
+    PlaneChart plane_;
+  };
+
+  class Maker final : public ChartMaker<Maker> {
+   public:
+    static Chart chart(const SurfacePoint& from, const SurfacePoint& to, double unit) {
+      return {from, to, unit};
+    }
+  };
+};
+
+/// Rows of triangles that are equilateral when the sheet is flattened.
+struct RowsOnSheet {
+  static constexpr std::uint32_t kColumns = 16, kRows = 8;
+  Mesh mesh;
+  MeshBoundary boundary{0, {}};
+  HangingSheet::Maker maker;
+
+  explicit RowsOnSheet(double size) {
+    const auto isOnRim = [](std::uint32_t i, std::uint32_t j) {
+      return i == 0 || j == 0 || i == kColumns || j == kRows;
+    };
+    std::vector<VertexId> ids((kColumns + 1) * (kRows + 1));
+    for (const bool rim : {true, false}) {
+      for (std::uint32_t j = 0; j <= kRows; ++j)
+        for (std::uint32_t i = 0; i <= kColumns; ++i)
+          if (isOnRim(i, j) == rim) {
+            ids[i + (kColumns + 1) * j] = VertexId(mesh.vertices.size());
+            mesh.vertices.push_back(HangingSheet::atLength(
+                size * (i + 0.5 * j - 0.5 * kColumns - 0.25 * kRows), size * j * std::sqrt(0.75)));
+          }
+      if (rim) boundary.fixedCount = mesh.vertices.size();
+    }
+    const auto id = [&](std::uint32_t i, std::uint32_t j) { return ids[i + (kColumns + 1) * j]; };
+    for (std::uint32_t j = 0; j < kRows; ++j)
+      for (std::uint32_t i = 0; i < kColumns; ++i) {
+        mesh.elements.push_back({{id(i, j), id(i + 1, j), id(i, j + 1), {}}});
+        mesh.elements.push_back({{id(i + 1, j), id(i + 1, j + 1), id(i, j + 1), {}}});
+      }
+    mesh.origins.resize(mesh.elements.size());
+  }
+
+  double meanQuality() const {
+    double sum = 0;
+    for (const auto& [corners] : mesh.elements)
+      sum +=
+          1 / triangleDistortion(mesh.vertices[corners[0].value], mesh.vertices[corners[1].value],
+                                 mesh.vertices[corners[2].value]);
+    return sum / double(mesh.elements.size());
+  }
+};
+
+/// Projected to planes that lean, edges are too short.
+TEST(Smoothing, DoesNotDriftOnASurfaceThatBends) {
+  RowsOnSheet sheet(0.5);
+  MeshTopology topology(sheet.mesh, sheet.boundary);
+  VertexSmoother smoother(topology, sheet.mesh, sheet.maker);
+  for (const Element& element : sheet.mesh.elements) smoother.wake(element.vertices());
+  const double before = sheet.meanQuality();
+  for (int i = 0; i < 20; ++i) smoother.sweep();
+  EXPECT_GT(sheet.meanQuality(), before - 1e-4);
+}
+
+TEST(Smoothing, LeavesVerticesBetweenEvenTrianglesAlone) {
+  RowsOnSheet sheet(0.5);
+  MeshTopology topology(sheet.mesh, sheet.boundary);
+  EXPECT_EQ(VertexSmoother(topology, sheet.mesh, sheet.maker).sweep(), 0u);
+  const std::size_t v = sheet.boundary.fixedCount + 20;
+  sheet.mesh.vertices[v] =
+      HangingSheet::at(sheet.mesh.vertices[v].u + 0.1, sheet.mesh.vertices[v].v);
+  MeshTopology moved(sheet.mesh, sheet.boundary);
+  EXPECT_GT(VertexSmoother(moved, sheet.mesh, sheet.maker).sweep(), 0u);
 }
 
 }  // namespace
