@@ -18,15 +18,20 @@ inline TriangleGrade gradeOf(MeshTopology& topology, std::size_t e) {
   auto grade = static_cast<TriangleGrade>(topology.gradeOf(e));
   if (grade != TriangleGrade::Unknown) return grade;
   const Element& element = topology.mesh().elements[e];
-  const auto isBelow = [&](double limit) {
-    const auto at = [&](std::size_t i) -> const SurfacePoint& {
-      return topology.mesh().vertices[element.corners[i].value];
-    };
-    return isPlainlyBelow(limit, at(0), at(1), at(2));
+  const auto at = [&](std::size_t i) -> const SurfacePoint& {
+    return topology.mesh().vertices[element.corners[i].value];
   };
-  grade = element.isQuad() || !isBelow(kGoodTriangle) ? TriangleGrade::Other
-          : isBelow(kEvenTriangle)                    ? TriangleGrade::Even
-                                                      : TriangleGrade::Good;
+  grade = TriangleGrade::Other;
+  if (!element.isQuad()) {
+    const Point3 p = at(1).position - at(0).position, q = at(2).position - at(0).position;
+    const Point3 turned = cross(p, q);
+    const bool isGood = isPlainlyBelow(kGoodTriangle, p, q, turned) &&
+                        facesNormal(turned, at(0).normal) && facesNormal(turned, at(1).normal) &&
+                        facesNormal(turned, at(2).normal);
+    if (isGood)
+      grade =
+          isPlainlyBelow(kEvenTriangle, p, q, turned) ? TriangleGrade::Even : TriangleGrade::Good;
+  }
   topology.setGrade(e, static_cast<std::uint8_t>(grade));
   return grade;
 }

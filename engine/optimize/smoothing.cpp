@@ -199,7 +199,8 @@ std::size_t VertexSmoother::sweep(const WorkWatch& watch) {
     if (!(move > 0)) continue;
     for (Corner c : star_) {
       const Element& element = mesh_.elements[c.element()];
-      if (move >= kWakingMove || element.isQuad()) wake(element.vertices());
+      if (move < kWakingMove && !element.isQuad()) continue;
+      for (const VertexId w : element.vertices()) isAwake_[w.value] = 1;
     }
   }
   return moved;
@@ -282,7 +283,8 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   double shortest = INFINITY;  // squared
   // The plane of a chart leans towards the neighbour that it was made with. Edges that leave it
   // look shorter than they are, and the vertex would drift at each visit; they are drawn as long as
-  // they are.
+  // they are, which needs no root where elements are small.
+  constexpr double kAsLong = 1e-3;
   const Point3& here = at(star_.front()).position;
   const double squaredUnit = chart.unit() * chart.unit();
   const auto drawn = [&](Corner c) {
@@ -290,7 +292,9 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
     if (chart.isPlane()) return point;
     const Point3 edge = at(c).position - here;
     const double seen = squaredUnit * dot(point.position, point.position);
-    if (seen > 0) point.position = std::sqrt(dot(edge, edge) / seen) * point.position;
+    const double squared = dot(edge, edge);
+    if (seen > 0 && std::abs(squared - seen) > kAsLong * squared)
+      point.position = std::sqrt(squared / seen) * point.position;
     return point;
   };
   // Around the vertex, the edge behind one element is the edge ahead of the next.

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """mpi_scaling.py REPORT [--latency S] [--bandwidth B] [--strips SHARE] [--cutting SHARE] [--ranks N,N,...]
 
 How long af2-mpi would take on many ranks, simulated from what a run on one thread has cost:

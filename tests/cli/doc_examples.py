@@ -99,6 +99,8 @@ def shell(place, text, folder):
         script = re.match(r"(tests/\S+|docs/\S+|examples/\S+)", line)
         if script and not (SOURCE / script[1]).exists():
             failures.append(f"{place}: there is no {script[1]}")
+        elif script and not os.access(SOURCE / script[1], os.X_OK):
+            failures.append(f"{place}: {script[1]} is not executable")
         elif script and script[1].endswith(".py"):
             known = (SOURCE / script[1]).read_text(encoding="utf-8")
             failures.extend(f"{place}: {script[1]} has no option {option}"
