@@ -169,7 +169,8 @@ constexpr double kMinMove = 1e-3;
 /// are not woken. Quadrilaterals converge in many small moves, so this does not apply to them.
 constexpr double kWakingMove = 0.025;
 /// Over-relaxation: neighbours move the same way, so that a vertex that is moved on to where they
-/// will want it settles in half as many visits. Not where the worst element decides.
+/// will want it settles in half as many visits. Not where the worst element decides, and not beside
+/// quadrilaterals, which move too little for it to save visits.
 constexpr double kRelaxation = 1.3;
 
 }  // namespace
@@ -243,8 +244,10 @@ bool VertexSmoother::collectStar(Corner first) {
 
 double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
   if (!makeTerms(chart)) return 0;
-  const Point2 step = goal == Goal::All ? improvedPosition<2>(terms_, reach_, kRelaxation)
-                                        : improvedPosition<16>(terms_, reach_, 1);
+  const bool hasQuads = terms_.size() > star_.size();  // three terms for each
+  const Point2 step = goal == Goal::Worst
+                          ? improvedPosition<16>(terms_, reach_, 1)
+                          : improvedPosition<2>(terms_, reach_, hasQuads ? 1 : kRelaxation);
   const double move = length(step) / reach_;
   if (!(move >= kMinMove)) return 0;
   const auto lifted = chart.lift(step);
