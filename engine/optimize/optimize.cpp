@@ -181,6 +181,12 @@ OptimizeReport improve(Mesh& mesh, const MeshBoundary& boundary,
   }
   smooth();
   report.moves += mendPoorElements(topology, smoother, watch);
+  // What has moved may be better with another side.
+  if (const std::size_t swaps = swapSides(topology, SwapGoal::Shape, wanted, recorder, watch)) {
+    report.swaps += swaps;
+    smooth();
+    report.moves += mendPoorElements(topology, smoother, watch);
+  }
   if (hasQuads) report.moves += mendCorners(topology, mesh, maker, recorder, watch);
   topology.compact();
   return report;
