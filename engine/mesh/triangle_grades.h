@@ -25,10 +25,10 @@ inline TriangleGrade gradeOf(MeshTopology& topology, std::size_t e) {
   if (!element.isQuad()) {
     const Point3 p = at(1).position - at(0).position, q = at(2).position - at(0).position;
     const Point3 turned = cross(p, q);
-    const bool isGood = isPlainlyBelow(kGoodTriangle, p, q, turned) &&
-                        facesNormal(turned, at(0).normal) && facesNormal(turned, at(1).normal) &&
-                        facesNormal(turned, at(2).normal);
-    if (isGood)
+    const bool isAsTheSurface = facesNormal(turned, at(0).normal) &&
+                                facesNormal(turned, at(1).normal) &&
+                                facesNormal(turned, at(2).normal);
+    if (isAsTheSurface && isPlainlyBelow(kGoodTriangle, p, q, turned))
       grade =
           isPlainlyBelow(kEvenTriangle, p, q, turned) ? TriangleGrade::Even : TriangleGrade::Good;
   }

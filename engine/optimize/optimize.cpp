@@ -29,10 +29,11 @@ bool isPoor(const Mesh& mesh, const Element& element) {
   const auto at = [&](std::size_t i) -> const Point3& {
     return mesh.vertices[element.corners[i].value].position;
   };
-  if (element.size() == 3)
-    return !isPlainlyBelow(kPoorDistortion, at(1) - at(0), at(2) - at(0),
-                           cross(at(1) - at(0), at(2) - at(0))) &&
+  if (element.size() == 3) {
+    const Point3 p = at(1) - at(0), q = at(2) - at(0);
+    return !isPlainlyBelow(kPoorDistortion, p, q, cross(p, q)) &&
            cornerDistortion(at(0), at(1), at(2), true) > kPoorDistortion;
+  }
   for (std::size_t i = 0; i < 4; ++i)
     if (cornerDistortion(at(i), at((i + 1) % 4), at((i + 3) % 4), false) > kPoorDistortion)
       return true;

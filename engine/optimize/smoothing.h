@@ -24,7 +24,8 @@ struct DistortionTerm {
 };
 
 /// Smooths a mesh sweep by sweep. A vertex sleeps, i.e. is skipped, while its surroundings have
-/// hardly changed since its last visit brought almost no gain.
+/// hardly changed since its last visit brought almost no gain, and before that if all triangles
+/// around it are even.
 class VertexSmoother {
  public:
   VertexSmoother(MeshTopology& topology, Mesh& mesh, const AF2LocalTransformMaker& maker,

@@ -4,11 +4,13 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "engine/base/place_text.h"
 #include "geometry/check/sound_faces.h"
 #include "geometry/deviation/thinned_mesh.h"
+#include "geometry/mesh/fingerprint.h"
 
 namespace af2::geometry {
 namespace {
@@ -85,19 +87,20 @@ MeasuredMesh meshWithinChords(MeshingOptions options,
   constexpr double kLeastAim = 0.05;  // more does not come from scatter
   constexpr double kMargin = 1.1;     // so that few rounds are enough
   std::optional<MeasuredMesh> best;
+  std::string before;
   for (int round = 0; round < kMostRounds; ++round) {
     MeasuredMesh next = make(options);
     std::vector<SizeSource> tooFar = std::move(next.deviations.tooFar);
     const std::map<int, double> scatter = next.deviations.scatter;
+    const std::string made = fingerprint(next.mesh);
     if (!best || isBetter(next, *best)) best = std::move(next);
-    bool isSame = tooFar.empty();
-    for (const auto& [face, ratio] : scatter) {
-      const double before = options.sizes.chords.aimOf(face);
-      const double aim = std::max(kLeastAim, before / (kMargin * ratio));
-      options.sizes.chords.aims[face] = aim;
-      isSame = isSame && aim == before;
-    }
-    if (isSame || options.stop.stop_requested()) break;
+    const bool isWithin = tooFar.empty() && scatter.empty();
+    // Where nothing may become smaller, the same mesh would come again and again.
+    if (isWithin || made == before || options.stop.stop_requested()) break;
+    before = made;
+    for (const auto& [face, ratio] : scatter)
+      options.sizes.chords.aims[face] =
+          std::max(kLeastAim, options.sizes.chords.aimOf(face) / (kMargin * ratio));
     addSources(std::move(tooFar), options.sizes.minSize, options.sizes.sources);
   }
   reportExcess(options, *best);
