@@ -83,24 +83,33 @@ MeasuredMesh measured(const FaceSource& source, const MeshingOptions& options, M
 
 MeasuredMesh meshWithinChords(MeshingOptions options,
                               const std::function<MeasuredMesh(const MeshingOptions&)>& make) {
-  constexpr int kMostRounds = 12;
+  constexpr int kMostRounds = 12, kMostInVain = 4;
   constexpr double kLeastAim = 0.05;  // more does not come from scatter
   constexpr double kMargin = 1.1;     // so that few rounds are enough
   std::optional<MeasuredMesh> best;
   std::string before;
-  for (int round = 0; round < kMostRounds; ++round) {
+  int inVain = 0;
+  for (int round = 0; round < kMostRounds && inVain < kMostInVain; ++round) {
     MeasuredMesh next = make(options);
     std::vector<SizeSource> tooFar = std::move(next.deviations.tooFar);
     const std::map<int, double> scatter = next.deviations.scatter;
     const std::string made = fingerprint(next.mesh);
-    if (!best || isBetter(next, *best)) best = std::move(next);
-    const bool isWithin = tooFar.empty() && scatter.empty();
-    // Where nothing may become smaller, the same mesh would come again and again.
-    if (isWithin || made == before || options.stop.stop_requested()) break;
+    ++inVain;
+    if (!best || isBetter(next, *best)) {
+      best = std::move(next);
+      inVain = 0;
+    }
+    if ((tooFar.empty() && scatter.empty()) || options.stop.stop_requested()) break;
+    bool isAimedLower = false;
+    for (const auto& [face, ratio] : scatter) {
+      const double aim = options.sizes.chords.aimOf(face);
+      const double lower = std::max(kLeastAim, aim / (kMargin * ratio));
+      options.sizes.chords.aims[face] = lower;
+      isAimedLower = isAimedLower || lower < aim;
+    }
+    // Where sizes cannot become smaller either, the same mesh would come again and again.
+    if (made == before && !isAimedLower) break;
     before = made;
-    for (const auto& [face, ratio] : scatter)
-      options.sizes.chords.aims[face] =
-          std::max(kLeastAim, options.sizes.chords.aimOf(face) / (kMargin * ratio));
     addSources(std::move(tooFar), options.sizes.minSize, options.sizes.sources);
   }
   reportExcess(options, *best);

@@ -39,17 +39,34 @@ TEST(ChordRounds, EndWithinTheBounds) {
   EXPECT_EQ(rounds.kept, 0.9);
 }
 
-TEST(ChordRounds, GoOnWhileTheMeshChanges) {
-  const Rounds rounds = roundsOf({farBy(3, 2), farBy(2, 3), farBy(2.5, 4), farBy(1.5, 5),
-                                  farBy(1.6, 6), farBy(1.1, 7), farBy(0.9, 8)});
+TEST(ChordRounds, GoOnAfterRoundsThatAreNoBetter) {
+  const Rounds rounds = roundsOf({farBy(3, 2), farBy(2, 3), farBy(2.5, 4), farBy(2.5, 5),
+                                  farBy(2.5, 6), farBy(1.5, 7), farBy(0.9, 8)});
   EXPECT_EQ(rounds.made.size(), 7u);
   EXPECT_EQ(rounds.kept, 0.9);
+}
+
+TEST(ChordRounds, EndAfterFourThatAreNoBetter) {
+  const Rounds rounds =
+      roundsOf({farBy(2, 2), farBy(3, 3), farBy(3, 4), farBy(3, 5), farBy(3, 6), farBy(0.9, 7)});
+  EXPECT_EQ(rounds.made.size(), 5u);
+  EXPECT_EQ(rounds.kept, 2);
 }
 
 TEST(ChordRounds, EndWhereTheSameMeshComesAgain) {
   const Rounds rounds = roundsOf({farBy(3, 2), farBy(2, 3), farBy(2, 3)});
   EXPECT_EQ(rounds.made.size(), 3u);
   EXPECT_EQ(rounds.kept, 2);
+}
+
+/// Large elements get a lower aim in each round, which need not change the mesh at once.
+TEST(ChordRounds, GoOnWithTheSameMeshWhileTheAimFalls) {
+  MeasuredMesh large = farBy(1.1, 2);
+  large.deviations.tooFar.clear();
+  large.deviations.scatter = {{1, 1.1}};
+  const Rounds rounds = roundsOf({large, large, farBy(0.9, 3)});
+  EXPECT_EQ(rounds.made.size(), 3u);
+  EXPECT_EQ(rounds.kept, 0.9);
 }
 
 }  // namespace
