@@ -163,12 +163,7 @@ VertexId MeshTopology::addVertex(const SurfacePoint& point) {
 void MeshTopology::move(VertexId v, const SurfacePoint& point) {
   mesh_.vertices[v.value] = point;
   changed_.push_back(v);
-  const Corner first = cornerOf(v);
-  for (Corner c = first; !c.isNone();) {
-    dropGrade(c.element());
-    c = aroundVertex(c);
-    if (c == first) break;
-  }
+  forEachCornerOf(v, [&](Corner c) { dropGrade(c.element()); });
 }
 
 std::vector<std::size_t> MeshTopology::replace(std::vector<std::size_t> places,

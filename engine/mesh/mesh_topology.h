@@ -48,6 +48,16 @@ class MeshTopology {
   /// A corner of the vertex, on the rim the first counter-clockwise; none if no element uses it.
   Corner cornerOf(VertexId v) const { return cornerOf_[v.value]; }
 
+  /// Visits the corners of a vertex counter-clockwise.
+  void forEachCornerOf(VertexId v, auto&& visit) const {
+    const Corner first = cornerOf(v);
+    for (Corner c = first; !c.isNone();) {
+      visit(c);
+      c = aroundVertex(c);
+      if (c == first) break;
+    }
+  }
+
   /// Number of elements at a vertex, at most 255.
   int valence(VertexId v) const { return valence_[v.value]; }
   bool isFixed(VertexId v) const { return v.value < fixedCount_; }

@@ -56,14 +56,8 @@ class PoorElements {
   void renew() {
     const std::vector<VertexId> before = std::move(vertices_);
     vertices_.clear();
-    for (const VertexId v : before) {
-      const Corner first = topology_.cornerOf(v);
-      Corner c = first;
-      do {
-        look(c.element());
-        c = topology_.aroundVertex(c);
-      } while (!c.isNone() && c != first);
-    }
+    for (const VertexId v : before)
+      topology_.forEachCornerOf(v, [&](Corner c) { look(c.element()); });
     sortOut();
   }
 

@@ -57,13 +57,8 @@ void expectConsistent(const MeshTopology& topology) {
 
 /// The number of elements that a walk around the vertex passes.
 int walkLength(const MeshTopology& topology, VertexId v) {
-  const Corner first = topology.cornerOf(v);
   int count = 0;
-  for (Corner c = first; !c.isNone();) {
-    ++count;
-    c = topology.aroundVertex(c);
-    if (c == first) break;
-  }
+  topology.forEachCornerOf(v, [&](Corner) { ++count; });
   return count;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/mesh/element_shape.h"
+#include "engine/mesh/triangle_grades.h"
 #include "tests/support/meshing.h"
 #include "tests/support/quad_grid.h"
 
@@ -72,6 +73,16 @@ TEST(Smoothing, NobodyLooksWhereNothingWasToldOf) {
   asleep.sweep();
   topology.swap(someInnerSide(topology));
   EXPECT_EQ(asleep.sweep(), 0u);
+}
+
+TEST(Smoothing, LeavesNoGradesOfTrianglesThatItHasChanged) {
+  SmoothedDisc c;
+  MeshTopology topology(c.mesh, boundaryOf(c.input));
+  VertexSmoother smoother(topology, c.mesh, c.maker);  // grades all
+  EXPECT_GT(smoother.sweep(), 0u);
+  MeshTopology fresh(c.mesh, boundaryOf(c.input));
+  for (std::size_t e = 0; e < c.mesh.elements.size(); ++e)
+    EXPECT_EQ(gradeOf(topology, e), gradeOf(fresh, e)) << e;
 }
 
 /// A square, and a vertex inside at some height above its lower side.
