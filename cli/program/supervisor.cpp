@@ -105,7 +105,7 @@ std::set<int> facesAtFault(const SharedLog& log) {
 /// How a child ended.
 struct End {
   int status = 0;
-  bool hung = false;
+  std::optional<double> hung;  ///< the limit that it ran into, in processor seconds
 };
 
 End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {
@@ -126,10 +126,11 @@ End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {
     }
     // Between faces only AF2's own loops run, which always end, however large the mesh.
     if (beats > 0 && facesAtFault(log).empty()) lastBeat = now;
-    if (now - lastBeat < (beats == 0 ? limits.first : limits.next)) continue;
+    const double limit = beats == 0 ? limits.first : limits.next;
+    if (now - lastBeat < limit) continue;
     kill(child, SIGKILL);
     waitpid(child, &end.status, 0);
-    end.hung = true;
+    end.hung = limit;
     return end;
   }
   return end;
@@ -143,7 +144,7 @@ bool isCrash(int status) {
 }
 
 std::string nameOf(const End& end) {
-  return end.hung ? "the run did not finish"
+  return end.hung ? fmt::format("the run made no progress in {:g} s of processor time", *end.hung)
                   : fmt::format("the run crashed ({})", strsignal(WTERMSIG(end.status)));
 }
 
