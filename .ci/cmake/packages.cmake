@@ -90,6 +90,29 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_PROVIDES "libaf2 (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libcairo2)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS libcairo2)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, libcairo2")
+# Copies of OpenCASCADE's libraries that load faster (geometry/occ/binding/binding.cmake) are made on the machine where
+# the package is installed, and made again when dpkg has replaced a library.
+if(AF2_BUILD_OCC AND AF2_BUILD_CLI AND AF2_BIND_LIBRARIES)
+  find_package(OpenCASCADE REQUIRED)
+  get_target_property(libraries af2_bind_libraries AF2_LIBRARIES)
+  set(own_libraries /usr/${CMAKE_INSTALL_LIBDIR}/af2)
+  set(scripts ${PROJECT_BINARY_DIR}/package-scripts)
+  set(executable FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  file(GENERATE OUTPUT ${scripts}/postinst CONTENT "#!/bin/sh
+set -e
+case \"$1\" in configure | triggered)
+  # Without the copies the program uses the libraries of the system.
+  ${own_libraries}/bind-libraries ${own_libraries}/occ $<JOIN:${libraries}, > || true
+esac
+" ${executable})
+  file(GENERATE OUTPUT ${scripts}/prerm CONTENT "#!/bin/sh
+set -e
+if [ \"$1\" = remove ]; then rm -rf ${own_libraries}/occ; fi
+" ${executable})
+  file(GENERATE OUTPUT ${scripts}/triggers CONTENT "interest-noawait $<JOIN:${libraries},\ninterest-noawait >\n")
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm ${scripts}/triggers)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+endif()
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")

@@ -49,6 +49,24 @@ expect 0 installed/bin/af2 mesh "$models/cylinder.step" --size 1 -o installed.vt
 expect 0 "$af2" mesh "$models/cylinder.step" --size 1 -o built.vtu
 same installed.vtu built.vtu
 
+# Where the build has bound copies of OpenCASCADE's libraries, the program uses them, and does the same without them.
+bind=$(dirname "$af2")/../geometry/bind-libraries
+if [ -x "$bind" ]; then
+  ldd "$af2" >libraries
+  grep -q 'lib/af2/occ/libTKernel' libraries || fail "the program does not use the bound copies: $(cat libraries)"
+  ldd installed/bin/af2 | grep -q 'lib/af2/occ' && fail "there are no copies to use"
+  # A copy of a variable in the program would be another one than that of a bound library.
+  readelf -rW "$af2" | grep R_X86_64_COPY | grep -v @GLIBC && fail "the program has copies of variables"
+  echo "no library" >libTKMath.so.7
+  echo "an older copy" >installed/libTKMath.so.7
+  expect 1 "$bind" installed libTKMath.so.7
+  told "bind-libraries: 'libTKMath.so.7': this is not a shared library"
+  [ ! -e installed/libTKMath.so.7 ] || fail "there is still the older copy"
+  expect 1 "$bind" installed missing.so
+  told "bind-libraries: 'missing.so': it cannot be read"
+  expect 2 "$bind" installed
+fi
+
 # A library that is none, or that of another format.
 for content in "no library" "$(printf '\177ELF')"; do
   printf '%s' "$content" >alone/af2-step.so

@@ -29,6 +29,12 @@ needs() {
 holds af2 bin/af2 lib/.*/?af2-step.so lib/.*/?af2-iges.so lib/.*/?af2-algorithms.so share/af2/rules/tri/even.af2 share/man/man1/af2.1.gz \
   share/man/man1/af2-mesh.1.gz share/man/man1/af2-draw.1.gz share/bash-completion/completions/af2 share/zsh/vendor-completions/_af2 \
   share/fish/vendor_completions.d/af2.fish share/doc/af2/copyright share/doc/af2/changelog
+if [ -e "$build/package-scripts" ]; then
+  holds af2 'lib/.*/?af2/bind-libraries'
+  dpkg-deb -e af2_*.deb scripts
+  [ -x scripts/postinst ] && [ -x scripts/prerm ] && grep -q 'libTKernel' scripts/triggers || fail "af2 lacks scripts"
+fi
+! grep -qE 'libTK' files || fail "af2 has libraries of OpenCASCADE"
 ! grep -qE '\.h$|\.a$|\.pc$' files || fail "af2 has files of libaf2-dev"
 needs af2 libc6 libocct-data-exchange libtbb12 libcairo2
 

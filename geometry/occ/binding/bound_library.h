@@ -1,0 +1,20 @@
+// Shared libraries that need not be searched for their own symbols. Not installed.
+#pragma once
+
+#include <string>
+
+namespace af2::geometry {
+
+/// A shared library, as the content of a file, in which every reference to a symbol that the
+/// library defines itself is bound to that definition: to its place relative to the library. When
+/// the library is loaded, the dynamic linker then adds an address, where it would have looked for a
+/// name, which takes a hundred times as long. Code and data stay as they are.
+///
+/// Differs from the original only for programs that define symbols of the library themselves: these
+/// do not replace those of the library. Symbols that must be unique in a process, or that the
+/// library chooses while it is loaded, are left to the dynamic linker.
+///
+/// Throws InputError if it is not an ELF library for x86-64.
+std::string boundLibrary(std::string library);
+
+}  // namespace af2::geometry
