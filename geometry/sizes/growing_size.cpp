@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "geometry/base/constants.h"
+#include "geometry/base/parallel.h"
 
 namespace af2::geometry {
 namespace {
@@ -37,11 +38,12 @@ void lowerTo(const SizeSource& s, double growth, const Point3& position, double&
 
 }  // namespace
 
-GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest)
+GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest,
+                         int threads)
     : sources_(std::move(sources)), growth_(growth), largest_(largest) {
   if (sources_.size() <= kLeaf) return;
   halves_.resize(treeSize(sources_.size()));
-  build(0, 0, sources_.size());
+  build(0, 0, sources_.size(), threads);
 }
 
 GrowingSize::Box GrowingSize::boxOf(std::size_t first, std::size_t last) const {
@@ -57,12 +59,22 @@ GrowingSize::Box GrowingSize::boxOf(std::size_t first, std::size_t last) const {
   return box;
 }
 
-GrowingSize::Box GrowingSize::build(std::size_t node, std::size_t first, std::size_t last) {
+GrowingSize::Box GrowingSize::build(std::size_t node, std::size_t first, std::size_t last,
+                                    int threads) {
   const Box box = boxOf(first, last);
   if (last - first <= kLeaf) return box;
   const std::size_t half = middle(first, last);
   divide(box, first, half, last);
-  const Box a = build(2 * node + 1, first, half), b = build(2 * node + 2, half, last);
+  Box a, b;
+  const auto buildLeft = [&] { a = build(2 * node + 1, first, half, threads); };
+  const auto buildRight = [&] { b = build(2 * node + 2, half, last, threads); };
+  constexpr std::size_t kMany = 4096;  // take longer than to tell another thread of them
+  if (last - first < kMany) {
+    buildLeft();
+    buildRight();
+  } else {
+    forEachInParallel(2, threads, [&](std::size_t i) { i == 0 ? buildLeft() : buildRight(); });
+  }
   halves_[node] =
       Halves{Pair{a.low.x, b.low.x},   Pair{a.low.y, b.low.y},        Pair{a.low.z, b.low.z},
              Pair{a.high.x, b.high.x}, Pair{a.high.y, b.high.y},      Pair{a.high.z, b.high.z},
@@ -118,13 +130,20 @@ double GrowingSize::at(const Point3& position, double most) const {
 
 /// A source is covered if the others give at most its size everywhere in its ball: then they do so
 /// wherever it applies.
-std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth) {
+std::vector<SizeSource> uncovered(const std::vector<SizeSource>& sources, double growth,
+                                  int threads) {
   constexpr double kClearly = 1 - 1e-9;  // more than rounding, and nothing is covered by itself
-  const GrowingSize all(sources, growth, std::numeric_limits<double>::infinity());
-  std::erase_if(sources, [&](const SizeSource& s) {
-    return all.at(s.position) + growth * s.radius < kClearly * s.size;
+  constexpr std::size_t kAtOnce = 256;
+  const GrowingSize all(sources, growth, std::numeric_limits<double>::infinity(), threads);
+  std::vector<std::uint8_t> isCovered(sources.size());
+  forEachInRanges(sources.size(), kAtOnce, threads, [&](std::size_t i) {
+    const SizeSource& s = sources[i];
+    isCovered[i] = all.at(s.position) + growth * s.radius < kClearly * s.size;
   });
-  return sources;
+  std::vector<SizeSource> kept;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (!isCovered[i]) kept.push_back(sources[i]);
+  return kept;
 }
 
 }  // namespace af2::geometry

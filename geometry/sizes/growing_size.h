@@ -22,7 +22,8 @@ struct SizeSource {
 class AF2_EXPORT GrowingSize {
  public:
   /// largest  the size that applies where no source gives a smaller one; may be infinite
-  GrowingSize(std::vector<SizeSource> sources, double growth, double largest);
+  /// threads  for making the tree; 0: as many as the caller's TBB arena has
+  GrowingSize(std::vector<SizeSource> sources, double growth, double largest, int threads = 1);
   double at(const Point3& position) const { return at(position, largest_); }
   /// Not more than `most`: what is known to be too large is not evaluated.
   double at(const Point3& position, double most) const;
@@ -38,7 +39,7 @@ class AF2_EXPORT GrowingSize {
   struct Halves {
     Pair lowX, lowY, lowZ, highX, highY, highZ, size, atCentres;
   };
-  Box build(std::size_t node, std::size_t first, std::size_t last);
+  Box build(std::size_t node, std::size_t first, std::size_t last, int threads);
   Box boxOf(std::size_t first, std::size_t last) const;
   void divide(const Box& box, std::size_t first, std::size_t half, std::size_t last);
   void look(std::size_t node, std::size_t first, std::size_t last, const Point3& position,
@@ -51,6 +52,7 @@ class AF2_EXPORT GrowingSize {
 };
 
 /// Removes the sources that nowhere give a smaller size than the others do. All sizes must be > 0.
-AF2_EXPORT std::vector<SizeSource> uncovered(std::vector<SizeSource> sources, double growth);
+AF2_EXPORT std::vector<SizeSource> uncovered(const std::vector<SizeSource>& sources, double growth,
+                                             int threads = 1);
 
 }  // namespace af2::geometry

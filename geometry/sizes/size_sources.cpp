@@ -139,10 +139,10 @@ class GridSize {
 
 /// All sources, ready to be asked from many threads.
 struct PreparedSources {
-  PreparedSources(SizeSources sources, double growthPerLength)
+  PreparedSources(SizeSources sources, double growthPerLength, int threads)
       : growth(growthPerLength),
-        points(uncovered(std::move(sources.points), growthPerLength), growthPerLength,
-               std::numeric_limits<double>::infinity()),
+        points(uncovered(sources.points, growthPerLength, threads), growthPerLength,
+               std::numeric_limits<double>::infinity(), threads),
         boxes(std::move(sources.boxes)),
         grids(std::move(sources.grids)) {
     for (SizeGrid& grid : grids) GridGrading(grid, growth).run();
@@ -187,9 +187,10 @@ void addSources(std::vector<SizeSource> points, double least, SizeSources& sourc
   }
 }
 
-PositionSize sizeFrom(SizeSources sources, double growth) {
+PositionSize sizeFrom(SizeSources sources, double growth, int threads) {
   check(sources);
-  return SizeFromSources{std::make_shared<const PreparedSources>(std::move(sources), growth)};
+  return SizeFromSources{
+      std::make_shared<const PreparedSources>(std::move(sources), growth, threads)};
 }
 
 }  // namespace af2::geometry

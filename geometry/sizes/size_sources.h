@@ -47,7 +47,9 @@ AF2_EXPORT void addSources(std::vector<SizeSource> points, double least, SizeSou
 /// there is none. The limit also applies within a background field: where the field grows faster,
 /// its larger sizes are lowered.
 ///
+/// threads  for preparing it; 0: as many as the caller's TBB arena has
+///
 /// Throws InputError for an invalid source, e.g. a size that is not positive.
-AF2_EXPORT PositionSize sizeFrom(SizeSources sources, double growth);
+AF2_EXPORT PositionSize sizeFrom(SizeSources sources, double growth, int threads = 1);
 
 }  // namespace af2::geometry

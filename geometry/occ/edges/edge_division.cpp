@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "geometry/base/parallel.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/base/merged_points.h"
 #include "geometry/occ/base/points.h"
@@ -44,6 +45,7 @@ class Division {
         changes_(changes),
         merged_(merged),
         layerEnds_(layers),
+        threads_(threads),
         samples_(limitedSamples(model, sampled, sizes, threads, stop)),
         isMerged_(samples_.size(), false) {
     findEnds();
@@ -53,6 +55,7 @@ class Division {
     limitInStrips(model_, sizes_, ends_, threads, samples_, merged_.narrowFaces, strips);
     takeChains();
     limitAtShortEdges(model_, sizes_, ends_, samples_);
+    beginEdges();
     makeParts();
     gradeAll();
   }
@@ -62,7 +65,8 @@ class Division {
     std::vector<CurveEnds> ends;
     for (const EdgePart& part : parts_) ends.push_back({part.ends.first, part.ends.last});
     const std::vector<std::size_t> least = leastSegments(ends);
-    for (std::size_t i = 0; i < parts_.size(); ++i) dividePart(i, least[i]);
+    const std::vector<DividedCurve> curves = divideAlone(least);
+    for (std::size_t i = 0; i < parts_.size(); ++i) dividePart(i, least[i], curves[i]);
     joinParts();
     return std::move(result_);
   }
@@ -192,7 +196,16 @@ class Division {
     return gapsBetweenEnds(model_, sizes_.size, ends_, isUsed, result_.points);
   }
 
-  /// Given divisions are not divided any further.
+  void beginEdges() {
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      DividedEdge& edge = result_.edges.emplace_back();
+      edge.problem = samples_[i].problem;
+      edge.wanted = samples_[i].wanted;
+      if (samples_[i].pieces.empty() && isAskedToBePoint(i)) edge.point = ends_[i].first;
+    }
+  }
+
+  /// Of the samples, which go to the parts. Given divisions are not divided any further.
   void makeParts() {
     std::vector<bool> mayBeSplit;
     for (std::size_t i = 0; i < samples_.size(); ++i) mayBeSplit.push_back(!givenFor(i));
@@ -206,7 +219,7 @@ class Division {
   }
 
   void addParts(std::size_t edge, const std::vector<Stop>& stops) {
-    for (EdgePart& part : partsBetween(edge, samples_[edge], ends_[edge], stops)) {
+    for (EdgePart& part : partsBetween(edge, std::move(samples_[edge]), ends_[edge], stops)) {
       if (!givenFor(edge)) creases_.leaveOut(part);
       parts_.push_back(std::move(part));
     }
@@ -289,15 +302,38 @@ class Division {
     }
   }
 
-  DividedPart divideAnew(const EdgePart& part, AskedSegments asked) {
-    std::vector<double> parameters =
-        divideBetweenLayers(model_, part, layerEnds_, cusps_, tips_, asked, sizes_);
+  /// A part before its vertices have numbers.
+  struct DividedCurve {
+    std::vector<double> parameters;  // ends included
+    std::vector<Point3> inner;       // between the ends
+  };
+
+  DividedCurve divideCurve(std::size_t i, std::size_t least) const {
+    const EdgePart& part = parts_[i];
+    DividedCurve curve{divideBetweenLayers(model_, part, layerEnds_, cusps_, tips_,
+                                           {least, changeAt(changes_, i)}, sizes_),
+                       {}};
     const PointAt pointAt = curveOf(model_, part, merged_);
-    leaveOutBesidePoints(part.ends, asked.least, pointAt, parameters);
+    leaveOutBesidePoints(part.ends, least, pointAt, curve.parameters);
+    for (std::size_t k = 1; k + 1 < curve.parameters.size(); ++k)
+      curve.inner.push_back(pointAt(curve.parameters[k]));
+    return curve;
+  }
+
+  /// By part, without those that follow other points.
+  std::vector<DividedCurve> divideAlone(const std::vector<std::size_t>& least) const {
+    constexpr std::size_t kAtOnce = 8;
+    std::vector<DividedCurve> curves(parts_.size());
+    forEachInRanges(parts_.size(), kAtOnce, threads_, [&](std::size_t i) {
+      if (!twins_[i] && !givenFor(parts_[i].edge)) curves[i] = divideCurve(i, least[i]);
+    });
+    return curves;
+  }
+
+  DividedPart withVertices(const EdgePart& part, const DividedCurve& curve) {
     std::vector<std::uint32_t> inner;
-    for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
-      inner.push_back(addPoint(pointAt(parameters[k])));
-    return between(part.ends, std::move(parameters), inner);
+    for (const Point3& point : curve.inner) inner.push_back(addPoint(point));
+    return between(part.ends, curve.parameters, inner);
   }
 
   /// Beside what was taken for a point although it can be seen, segments are longer than that is
@@ -314,7 +350,7 @@ class Division {
     }
   }
 
-  void dividePart(std::size_t i, std::size_t least) {
+  void dividePart(std::size_t i, std::size_t least, const DividedCurve& alone) {
     const EdgePart& part = parts_[i];
     const auto* points = givenFor(part.edge);
     std::optional<DividedPart> divided;
@@ -323,8 +359,8 @@ class Division {
     else if (twins_[i])
       divided = takeFromTwin(part, dividedParts_[*twins_[i]]);
     counts_.push_back(divided && !points ? counts_[*twins_[i]] : i);
-    dividedParts_.push_back(divided ? std::move(*divided)
-                                    : divideAnew(part, {least, changeAt(changes_, i)}));
+    if (!divided) divided = withVertices(part, twins_[i] ? divideCurve(i, least) : alone);
+    dividedParts_.push_back(std::move(*divided));
     const EdgeSamples& samples = part.samples;
     result_.counts.push_back({wantedSegments(samples), dividedParts_.back().points.size() - 1,
                               std::max(least, fewestSegmentsOf(samples, sizes_)),
@@ -332,12 +368,6 @@ class Division {
   }
 
   void joinParts() {
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      DividedEdge& edge = result_.edges.emplace_back();
-      edge.problem = samples_[i].problem;
-      edge.wanted = samples_[i].wanted;
-      if (samples_[i].pieces.empty() && isAskedToBePoint(i)) edge.point = ends_[i].first;
-    }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       DividedEdge& edge = result_.edges[parts_[i].edge];
       const DividedPart& part = dividedParts_[i];
@@ -358,6 +388,7 @@ class Division {
   const SegmentChanges& changes_;
   const MergedEdges& merged_;
   const LayerEnds& layerEnds_;
+  int threads_;
   std::vector<EdgeSamples> samples_;
   std::vector<bool> isMerged_;       // by edge: it is crossed, or in a chain
   std::vector<EdgeSamples> chains_;  // in the order of merged_

@@ -70,8 +70,9 @@ double parameterAt(const EdgeSamples& samples, double length) {
   return piece->parameters[k - 1] + t * (piece->parameters[k] - piece->parameters[k - 1]);
 }
 
-std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters) {
-  std::vector<EdgeSamples> parts(1, samples);
+std::vector<EdgeSamples> split(EdgeSamples samples, const std::vector<double>& parameters) {
+  std::vector<EdgeSamples> parts;
+  parts.push_back(std::move(samples));
   for (const double parameter : parameters) {
     EdgeSamples rest = parts.back(), &before = parts.back();
     before.pieces.clear();

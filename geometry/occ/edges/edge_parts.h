@@ -44,7 +44,7 @@ struct EdgePart {
 };
 
 /// The samples of the parts between these parameters, which are in order between the ends.
-std::vector<EdgeSamples> split(const EdgeSamples& samples, const std::vector<double>& parameters);
+std::vector<EdgeSamples> split(EdgeSamples samples, const std::vector<double>& parameters);
 
 /// The diagonal of the box around an edge; 0 if it has no length or is unusable.
 double extentOf(const EdgeSamples& samples);

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "geometry/base/box_tree.h"
-#include "geometry/base/constants.h"
 #include "geometry/base/parallel.h"
 #include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/sizes/sizing.h"
@@ -25,82 +24,6 @@ constexpr double kMaxOfWidth = 1.5;
 /// is smaller if turns have a minimum number of elements, because the mesh is then fine in places
 /// anyway.
 constexpr double kMinShare = 0.15, kMinShareWithTurns = 0.1;
-
-/// One of a few samples of an edge for each of its segments.
-struct Knot {
-  Point3 position, tangent;  ///< tangent of length 1, along the edge
-  double parameter, size;
-  std::size_t piece, first, last;  ///< the samples for which it stands: [first, last)
-};
-
-struct KnottedEdge {
-  std::vector<Knot> knots;  ///< empty: its sizes are not to be changed
-  Box3 box;
-  double reach = 0;     ///< how far away the other side of a strip may be
-  double blur = 0;      ///< what is nearer is the same place
-  double longest = 0;   ///< way from one knot to the next
-  bool isBent = false;  ///< it may be both sides of a strip
-  bool isStraight = true;
-  std::optional<BoxTree> segments;  ///< [i] from knot i to the next; only of very many
-};
-
-std::size_t knotsAlong(const EdgePiece& piece) {
-  constexpr double kKnotsPerSegment = 3;
-  constexpr std::size_t kFewest = 4;
-  const std::size_t cells = piece.positions.size() - 1;
-  double segments = 0;
-  for (std::size_t i = 1; i <= cells; ++i)
-    segments +=
-        2 * (piece.arcLength[i] - piece.arcLength[i - 1]) / (piece.sizes[i - 1] + piece.sizes[i]);
-  const double knots = std::min(kKnotsPerSegment * segments, static_cast<double>(cells));
-  return std::min(std::max(kFewest, static_cast<std::size_t>(knots)), cells);
-}
-
-void addPiece(const EdgePiece& piece, std::size_t index, KnottedEdge& edge) {
-  const std::size_t cells = piece.positions.size() - 1, count = knotsAlong(piece);
-  const auto sampleAt = [&](std::size_t knot) { return knot * cells / count; };
-  for (std::size_t k = 0; k <= count; ++k) {
-    const std::size_t here = sampleAt(k);
-    const std::size_t before = sampleAt(k > 0 ? k - 1 : 0),
-                      after = sampleAt(std::min(k + 1, count));
-    const Point3 along = piece.positions[after] - piece.positions[before];
-    const double chord = length(along);
-    if (!(chord > 0)) continue;
-    edge.knots.push_back({piece.positions[here], (1 / chord) * along, piece.parameters[here],
-                          piece.sizes[here], index, (before + here + 1) / 2,
-                          (here + after) / 2 + 1});
-  }
-}
-
-std::vector<Box3> boxesBetween(const std::vector<Knot>& knots) {
-  std::vector<Box3> boxes(knots.empty() ? 0 : knots.size() - 1);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    boxes[i].add(knots[i].position);
-    boxes[i].add(knots[i + 1].position);
-  }
-  return boxes;
-}
-
-KnottedEdge knotted(const EdgeSamples& samples) {
-  constexpr double kHalfTurn = 3, kNoTurn = 0.1;
-  constexpr std::size_t kMany = 200;  // to build a tree of fewer takes longer than to walk along
-  KnottedEdge edge;
-  for (std::size_t i = 0; i < samples.pieces.size(); ++i) addPiece(samples.pieces[i], i, edge);
-  double turn = 0;
-  for (std::size_t i = 0; i < edge.knots.size(); ++i) {
-    const Knot& knot = edge.knots[i];
-    edge.box.add(knot.position);
-    edge.reach = std::max(edge.reach, knot.size / kMaxOfWidth);
-    if (i == 0) continue;
-    turn += distance(knot.tangent, edge.knots[i - 1].tangent);
-    edge.longest = std::max(edge.longest, distance(knot.position, edge.knots[i - 1].position));
-  }
-  if (edge.knots.size() > kMany) edge.segments.emplace(boxesBetween(edge.knots));
-  edge.blur = kUnseen * samples.wanted;
-  edge.isBent = turn > kHalfTurn;
-  edge.isStraight = turn < kNoTurn;
-  return edge;
-}
 
 /// The edges of one face against each other.
 class FaceStrips {
@@ -183,8 +106,9 @@ class FaceStrips {
       if (edge == other && isBeside(k, i + 1)) return std::nullopt;
       return acrossTo(line.knots[i].position, line.knots[i + 1].position, knot, line.blur, nearer);
     };
-    if (!line.segments) return nearestAlong(line, knot, most, sideAt);
-    const std::uint32_t nearest = line.segments->nearest(knot.position, most, [&](std::uint32_t i) {
+    const BoxTree* const segments = line.segments();
+    if (!segments) return nearestAlong(line, knot, most, sideAt);
+    const std::uint32_t nearest = segments->nearest(knot.position, most, [&](std::uint32_t i) {
       const std::optional<Side> side = sideAt(i, most);
       return side ? side->width : std::numeric_limits<double>::infinity();
     });
@@ -272,21 +196,27 @@ class FaceStrips {
   std::vector<StripLimit> limits_;
 };
 
-bool isSame(const EdgeSamples& one, const EdgeSamples& other) {
-  return std::ranges::equal(one.pieces, other.pieces, [](const EdgePiece& a, const EdgePiece& b) {
-    return a.sizes == b.sizes && a.positions == b.positions;
+/// Of all edges, apart from those with sizes of their own.
+std::vector<KnottedEdge> knottedEdges(const CadSizes& sizes, int threads,
+                                      const std::vector<EdgeSamples>& samples) {
+  constexpr std::size_t kAtOnce = 8;
+  std::vector<KnottedEdge> edges(samples.size());
+  forEachInRanges(samples.size(), kAtOnce, threads, [&](std::size_t i) {
+    if (!sizes.edgeSizes.contains(static_cast<int>(i) + 1))
+      edges[i] = knotted(samples[i], 1 / kMaxOfWidth);
   });
+  return edges;
 }
 
 /// By face: whether any of its edges differs from what is known.
-std::vector<bool> facesToLookAt(const ModelShape& model, const std::vector<EdgeSamples>& samples,
-                                const std::vector<Ends>& ends, const KnownStrips& known) {
+std::vector<bool> facesToLookAt(const ModelShape& model, const std::vector<KnottedEdge>& edges,
+                                const std::vector<Ends>& ends, const KnownStrips* known) {
   const auto count = static_cast<std::size_t>(model.faces.Extent());
-  if (known.byFace.empty()) return std::vector<bool>(count, true);
+  if (!known || known->byFace.empty()) return std::vector<bool>(count, true);
   std::vector<bool> isKnown;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    isKnown.push_back(ends[i].first == known.ends[i].first && ends[i].last == known.ends[i].last &&
-                      isSame(samples[i], known.samples[i]));
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    isKnown.push_back(ends[i].first == known->ends[i].first &&
+                      ends[i].last == known->ends[i].last && edges[i].isSameAs(known->edges[i]));
   std::vector<bool> differs;
   for (std::size_t i = 0; i < count; ++i)
     differs.push_back(std::ranges::any_of(model.edgesOfFaces[i], [&](const EdgeUse& use) {
@@ -295,31 +225,13 @@ std::vector<bool> facesToLookAt(const ModelShape& model, const std::vector<EdgeS
   return differs;
 }
 
-/// Of the edges of some faces.
-std::vector<KnottedEdge> knottedEdges(const ModelShape& model, const CadSizes& sizes,
-                                      const std::vector<EdgeSamples>& samples,
-                                      const std::vector<bool>& faces) {
-  std::vector<bool> isAsked(samples.size(), false);
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    if (faces[i])
-      for (const EdgeUse& use : model.edgesOfFaces[i])
-        isAsked[static_cast<std::size_t>(use.id) - 1] = true;
-  std::vector<KnottedEdge> edges(samples.size());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (isAsked[i] && !sizes.edgeSizes.contains(static_cast<int>(i) + 1))
-      edges[i] = knotted(samples[i]);
-  return edges;
-}
-
 }  // namespace
 
 void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
                    int threads, std::vector<EdgeSamples>& samples, const std::set<int>& without,
                    KnownStrips* known) {
-  const KnownStrips nothing;
-  const std::vector<bool> isLookedAt =
-      facesToLookAt(model, samples, ends, known ? *known : nothing);
-  const std::vector<KnottedEdge> edges = knottedEdges(model, sizes, samples, isLookedAt);
+  std::vector<KnottedEdge> edges = knottedEdges(sizes, threads, samples);
+  const std::vector<bool> isLookedAt = facesToLookAt(model, edges, ends, known);
   const double leastShare = sizes.elementsPerTurn > 0 ? kMinShareWithTurns : kMinShare;
   std::vector<std::vector<StripLimit>> byFace(isLookedAt.size());
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
@@ -334,13 +246,13 @@ void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::ve
     } catch (const Standard_Failure&) {
     }
   });
-  if (known && known->byFace.empty()) *known = {samples, ends, byFace};
   for (const std::vector<StripLimit>& limits : byFace)
     for (const StripLimit& limit : limits) {
       std::vector<double>& along = samples[limit.edge].pieces[limit.piece].sizes;
       for (std::size_t i = limit.first; i < limit.last; ++i)
         along[i] = std::min(along[i], bounded(sizes, limit.size));
     }
+  if (known && known->byFace.empty()) *known = {std::move(edges), ends, std::move(byFace)};
 }
 
 }  // namespace af2::geometry

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/occ/edges/edge_samples.h"
+#include "geometry/occ/edges/knotted_edges.h"
 #include "geometry/occ/edges/open_ends.h"
 
 namespace af2::geometry {
@@ -19,10 +20,10 @@ struct StripLimit {
 };
 
 /// What was found in one division of the edges. Another one looks only at faces at edges with other
-/// samples or ends. Empty: nothing is known yet.
+/// knots or ends. Empty: nothing is known yet.
 struct KnownStrips {
-  std::vector<EdgeSamples> samples;  ///< by edge, before the limits
-  std::vector<Ends> ends;            ///< by edge
+  std::vector<KnottedEdge> edges;  ///< before the limits
+  std::vector<Ends> ends;          ///< by edge
   std::vector<std::vector<StripLimit>> byFace;
 };
 
@@ -35,8 +36,7 @@ struct KnownStrips {
 /// samples  by edge
 /// without  ids of faces that change nothing
 /// known    of a division by sizes that differ only in their function; filled if it is empty. May
-/// be
-///          null
+///          be null
 void limitInStrips(const ModelShape& model, const CadSizes& sizes, const std::vector<Ends>& ends,
                    int threads, std::vector<EdgeSamples>& samples,
                    const std::set<int>& without = {}, KnownStrips* known = nullptr);

@@ -192,11 +192,11 @@ std::vector<std::vector<Stop>> stopsOf(const ModelShape& model, const std::vecto
   return StopFinder(model, ends, samples, points, mayBeSplit).find();
 }
 
-std::vector<EdgePart> partsBetween(std::size_t edge, const EdgeSamples& samples, const Ends& ends,
+std::vector<EdgePart> partsBetween(std::size_t edge, EdgeSamples samples, const Ends& ends,
                                    const std::vector<Stop>& stops) {
   std::vector<double> parameters;
   for (const Stop& stop : stops) parameters.push_back(stop.parameter);
-  std::vector<EdgeSamples> pieces = split(samples, parameters);
+  std::vector<EdgeSamples> pieces = split(std::move(samples), parameters);
   std::vector<EdgePart> parts;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     EdgePart& part =

@@ -22,7 +22,7 @@ struct Stop {
 };
 
 /// The parts of an edge between its stops.
-std::vector<EdgePart> partsBetween(std::size_t edge, const EdgeSamples& samples, const Ends& ends,
+std::vector<EdgePart> partsBetween(std::size_t edge, EdgeSamples samples, const Ends& ends,
                                    const std::vector<Stop>& stops);
 
 /// The distance up to which edges of a face count as one, given the tolerances of both: no more

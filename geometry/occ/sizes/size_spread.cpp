@@ -345,9 +345,9 @@ struct SmallerOfBoth {
 };
 
 /// The limits by position, in addition to all other limits.
-void limitBySources(SizeSources sources, double growth, CadSizes& sizes) {
+void limitBySources(SizeSources sources, double growth, int threads, CadSizes& sizes) {
   if (sources.isEmpty()) return;
-  const PositionSize grown = sizeFrom(std::move(sources), growth);
+  const PositionSize grown = sizeFrom(std::move(sources), growth, threads);
   if (!sizes.function) {
     sizes.function = grown;
     return;
@@ -392,8 +392,8 @@ CadSizes spreadSizes(const ModelShape& model, CadSizes sizes, const std::vector<
   for (SizeSource& point : asked.points) point.size = bounded(sizes, point.size);
   inside.points =
       sampleFaces(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
-  limitBySources(std::move(asked), sizes.growth, sizes);
-  limitBySources(std::move(inside), growthInside(sizes), sizes);
+  limitBySources(std::move(asked), sizes.growth, threads, sizes);
+  limitBySources(std::move(inside), growthInside(sizes), threads, sizes);
   return sizes;
 }
 

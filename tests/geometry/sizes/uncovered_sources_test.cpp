@@ -17,11 +17,11 @@ bool isSame(const std::vector<SizeSource>& one, const std::vector<SizeSource>& o
 }
 
 /// Places in a square whose sizes grow steeply from a corner.
-std::vector<SizeSource> steepSources() {
+std::vector<SizeSource> steepSources(int count = 3000) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> at(0, 1);
   std::vector<SizeSource> sources;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Point3 place{at(random), at(random), 0};
     sources.push_back({place, 0.01 + 0.5 * length(place)});
   }
@@ -40,6 +40,26 @@ TEST(UncoveredSources, LeaveTheSameAsAllSources) {
   EXPECT_LT(left, steepSources().size() / 4);
   const auto all = uncovered(steepSources(), kGrowth);
   EXPECT_TRUE(isSame(uncovered(some.take(), kGrowth), all));
+}
+
+TEST(UncoveredSources, AreTheSameOnAnyThreads) {
+  const std::vector<SizeSource> sources = steepSources(20000);
+  EXPECT_TRUE(isSame(uncovered(sources, kGrowth, 3), uncovered(sources, kGrowth)));
+}
+
+TEST(GrowingSize, IsTheLeastOfAllSourcesOnAnyThreads) {
+  const std::vector<SizeSource> sources = steepSources(20000);
+  const auto leastAt = [&](const Point3& p) {
+    double least = 1;
+    for (const SizeSource& s : sources)
+      least = std::min(least, s.size + kGrowth * distance(p, s.position));
+    return least;
+  };
+  for (const int threads : {1, 3}) {
+    const GrowingSize size(sources, kGrowth, 1, threads);
+    for (const Point3& p : {Point3{}, {0.3, 0.4, 0}, {0.9, 0.1, 0.5}, {-2, 7, 1}})
+      EXPECT_DOUBLE_EQ(size.at(p), leastAt(p));
+  }
 }
 
 TEST(UncoveredSources, AreNotCoveredByThemselvesOrByEqualOnes) {

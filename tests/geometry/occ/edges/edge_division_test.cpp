@@ -38,6 +38,19 @@ TEST(EdgeDivision, MakesEqualSegmentsOfAboutTheWantedLength) {
   }
 }
 
+TEST(EdgeDivision, IsTheSameOnAnyThreads) {
+  const Model box = testing::box(10, 10, 0.3);  // with strips beside its edges
+  const SampledEdges sampled = sampleEdges(box.shape(), uniform(0.5), 1, {});
+  const DividedEdges one = divideEdges(box.shape(), sampled, uniform(0.5), 1, {}),
+                     many = divideEdges(box.shape(), sampled, uniform(0.5), 4, {});
+  EXPECT_EQ(one.points, many.points);
+  ASSERT_EQ(one.edges.size(), many.edges.size());
+  for (std::size_t i = 0; i < one.edges.size(); ++i) {
+    EXPECT_EQ(one.edges[i].points, many.edges[i].points);
+    EXPECT_EQ(one.edges[i].parameters, many.edges[i].parameters);
+  }
+}
+
 TEST(EdgeDivision, TellsAboutHowManySegmentsAreTooMany) {
   const Model box = testing::box(1, 1, 1);
   for (const auto& [size, told] : {std::pair(1e-12, "needs more than 1e+12 segments"),
