@@ -10,103 +10,21 @@
 #include <vector>
 
 #include "engine/base/predicates.h"
+#include "geometry/base/constants.h"
 #include "geometry/base/disjoint_sets.h"
 #include "geometry/base/plane_axes.h"
+#include "geometry/fill/drawn_front.h"
 #include "geometry/fill/fill_limits.h"
 
 namespace af2::geometry {
 
 namespace {
 
-struct Edge {
-  VertexId from, to;
-  auto operator<=>(const Edge&) const = default;
-};
-
-struct Box {
-  Point2 low, high;
-
-  static Box of(Point2 a, Point2 b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-  }
-  bool isApartFrom(const Box& other) const {
-    return high.x < other.low.x || other.high.x < low.x || high.y < other.low.y ||
-           other.high.y < low.y;
-  }
-};
-
-/// The edges of a front in the plane, in the order in which they were added. What is looked at for
-/// all of them lies side by side.
-class DrawnFront {
- public:
-  std::size_t size() const { return edges_.size(); }  ///< with those that were taken out
-  bool isEmpty() const { return byLength_.empty(); }
-  bool has(std::size_t i) const { return isOn_[i]; }
-  Edge edge(std::size_t i) const { return edges_[i]; }
-  Point2 from(std::size_t i) const { return from_[i]; }
-  Point2 to(std::size_t i) const { return to_[i]; }
-  const Box& box(std::size_t i) const { return boxes_[i]; }
-  std::size_t shortest() const { return index_.at(byLength_.begin()->second); }
-  bool has(Edge edge) const { return index_.contains(edge); }
-
-  void add(Edge edge, Point2 from, Point2 to) {
-    if (!index_.emplace(edge, edges_.size()).second) return;
-    byLength_.emplace(distance(from, to), edge);
-    edges_.push_back(edge);
-    from_.push_back(from);
-    to_.push_back(to);
-    boxes_.push_back(Box::of(from, to));
-    isOn_.push_back(true);
-  }
-
-  /// Returns whether the edge was there.
-  bool takeOut(Edge edge) {
-    const auto found = index_.find(edge);
-    if (found == index_.end()) return false;
-    const std::size_t i = found->second;
-    byLength_.erase({distance(from_[i], to_[i]), edge});
-    index_.erase(found);
-    isOn_[i] = false;
-    boxes_[i] = kNowhere;
-    if (edges_.size() > 2 * index_.size() + kFew) forgetTakenOut();
-    return true;
-  }
-
- private:
-  static constexpr std::size_t kFew = 16;
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-  static constexpr Box kNowhere{{kFar, kFar}, {-kFar, -kFar}};
-
-  void forgetTakenOut() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      if (!isOn_[i]) continue;
-      edges_[kept] = edges_[i];
-      from_[kept] = from_[i];
-      to_[kept] = to_[i];
-      boxes_[kept] = boxes_[i];
-      index_.at(edges_[i]) = kept++;
-    }
-    edges_.resize(kept);
-    from_.resize(kept);
-    to_.resize(kept);
-    boxes_.resize(kept);
-    isOn_.assign(kept, true);
-  }
-
-  std::vector<Edge> edges_;
-  std::vector<Point2> from_, to_;
-  std::vector<Box> boxes_;
-  std::vector<bool> isOn_;
-  std::map<Edge, std::size_t> index_;
-  std::set<std::pair<double, Edge>> byLength_;
-};
-
 class Closer {
  public:
   Closer(const std::vector<StuckEdge>& front, const std::function<Point2(VertexId)>& inPlane)
-      : inPlane_(inPlane) {
-    for (const StuckEdge& edge : front) add({edge.from, edge.to});
+      : front_(verticesOf(front, inPlane)) {
+    for (const StuckEdge& edge : front) front_.add({edge.from, edge.to});
   }
 
   /// Nothing if some edge has no triangle.
@@ -127,7 +45,7 @@ class Closer {
  private:
   /// The edge of the front that gets a triangle.
   struct Base {
-    Edge edge;
+    DrawnEdge edge;
     Point2 from, to;
   };
 
@@ -141,32 +59,77 @@ class Closer {
     }
   };
 
-  void add(Edge edge) { front_.add(edge, inPlane_(edge.from), inPlane_(edge.to)); }
+  static std::vector<DrawnFront::Vertex> verticesOf(
+      const std::vector<StuckEdge>& front, const std::function<Point2(VertexId)>& inPlane) {
+    std::set<VertexId> ids;
+    for (const StuckEdge& edge : front) ids.insert({edge.from, edge.to});
+    std::vector<DrawnFront::Vertex> vertices;
+    for (const VertexId id : ids) vertices.push_back({id, inPlane(id)});
+    return vertices;
+  }
 
   /// Whether an edge may not be added. Both sides of an edge may be on the front, as along a path
   /// through its region; then the opposite one is closed.
-  bool isTaken(Edge edge) const { return front_.has(edge) && !front_.has({edge.to, edge.from}); }
-
-  /// Adds an edge to the front, or takes out the opposite one.
-  void join(Edge edge) {
-    if (!front_.takeOut({edge.to, edge.from})) add(edge);
+  bool isTaken(DrawnEdge edge) const {
+    return front_.has(edge) && !front_.has({edge.to, edge.from});
   }
 
-  /// Of those that are free, the one with the best shape, and the first of several. Mostly it is
-  /// among the best few, so that they are not sorted.
+  /// Adds an edge to the front, or takes out the opposite one.
+  void join(DrawnEdge edge) {
+    if (!front_.takeOut({edge.to, edge.from})) front_.add(edge);
+  }
+
+  /// Of those that are free, the one with the best shape, and the first of several. They are
+  /// looked for near the edge first, and farther away as long as shapes may be better there. Mostly
+  /// it is among the best few, so that they are not sorted.
   std::optional<VertexId> bestApex(const Base& base) {
+    constexpr double kFirst = 2, kMore = 2;  // edges
+    const Point2 middle = 0.5 * (base.from + base.to);
     apexes_.clear();
-    for (std::size_t i = 0; i < front_.size(); ++i)
-      if (front_.has(i)) apexes_.push_back({shapeOf(base, front_.from(i)), i});
-    std::make_heap(apexes_.begin(), apexes_.end());
-    for (auto end = apexes_.end(); end != apexes_.begin(); --end) {
-      std::pop_heap(apexes_.begin(), end);
-      const std::size_t best = (end - 1)->edge;
+    DrawnFront::Stretch known = front_.stretchAt(middle, 0);
+    known.end = known.begin;
+    for (double reach = kFirst * distance(base.from, base.to);; reach *= kMore) {
+      const DrawnFront::Stretch stretch =
+          front_.stretchAt(middle, reach > 0 ? reach : std::numeric_limits<double>::infinity());
+      addApexes(base, {stretch.begin, known.begin});
+      addApexes(base, {known.end, stretch.end});
+      known = stretch;
+      const bool isAll = front_.isAll(stretch);
+      if (const auto apex = bestFree(base, isAll ? -1 : bestShapeBeyond(base, middle, reach)))
+        return apex;
+      if (isAll) return std::nullopt;
+    }
+  }
+
+  void addApexes(const Base& base, const DrawnFront::Stretch& stretch) {
+    front_.forEachFrom(stretch, [&](std::size_t i) {
+      apexes_.push_back({shapeOf(base, front_.from(i)), i});
+      std::push_heap(apexes_.begin(), apexes_.end());
+      return true;
+    });
+  }
+
+  /// Takes out of apexes_ those with a better shape than `least`.
+  std::optional<VertexId> bestFree(const Base& base, double least) {
+    while (!apexes_.empty() && apexes_.front().shape > least) {
+      std::pop_heap(apexes_.begin(), apexes_.end());
+      const std::size_t best = apexes_.back().edge;
+      apexes_.pop_back();
       const VertexId apex = front_.edge(best).from;
       if (apex == base.edge.from || apex == base.edge.to) continue;
       if (isFree(base, apex, front_.from(best))) return apex;
     }
     return std::nullopt;
+  }
+
+  /// An upper bound for corners that are more than `reach` away from the middle of the edge, which
+  /// is longer than the edge: the squares of the sides at a distance d are those of the edge, half
+  /// as much, and 2 d d.
+  double bestShapeBeyond(const Base& base, Point2 middle, double reach) const {
+    const Point2 way = base.to - base.from;
+    const double area = std::abs(front_.along(way)) * front_.farthestAcross(middle) +
+                        std::abs(front_.across(way)) * reach;
+    return kMoreThanRounding * area / (1.5 * dot(way, way) + 2 * reach * reach);
   }
 
   /// Area over squared edges.
@@ -181,20 +144,15 @@ class Closer {
     if (orientation(a, b, c) != Turn::Left) return false;
     const Base left{{base.edge.from, apex}, a, c}, right{{apex, base.edge.to}, c, b};
     if (isTaken(left.edge) || isTaken(right.edge)) return false;
-    const Box triangle{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
-                       {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
-    for (std::size_t i = 0; i < front_.size(); ++i) {
-      // Most edges are beside the triangle; the tests below would say so, too, but later.
-      if (triangle.isApartFrom(front_.box(i))) continue;
+    return front_.forEachNear(a, b, c, [&](std::size_t i) {
       const Point2 from = front_.from(i), to = front_.to(i);
       if (areRightOf(a, b, from, to) || areRightOf(b, c, from, to) || areRightOf(c, a, from, to))
-        continue;
-      const Edge e = front_.edge(i);
+        return true;
+      const DrawnEdge e = front_.edge(i);
       const bool isCorner = e.from == base.edge.from || e.from == base.edge.to || e.from == apex;
-      if (!isCorner && holds(a, b, c, from)) return false;
-      if (crosses(left, e, from, to) || crosses(right, e, from, to)) return false;
-    }
-    return true;
+      return (isCorner || !holds(a, b, c, from)) && !crosses(left, e, from, to) &&
+             !crosses(right, e, from, to);
+    });
   }
 
   static bool areRightOf(Point2 a, Point2 b, Point2 p, Point2 q) {
@@ -206,13 +164,12 @@ class Closer {
            orientation(c, a, p) != Turn::Right;
   }
 
-  static bool crosses(const Base& side, Edge e, Point2 from, Point2 to) {
+  static bool crosses(const Base& side, DrawnEdge e, Point2 from, Point2 to) {
     const auto isEnd = [&](VertexId v) { return v == e.from || v == e.to; };
     return !isEnd(side.edge.from) && !isEnd(side.edge.to) &&
            segmentsMeet(side.from, side.to, from, to);
   }
 
-  const std::function<Point2(VertexId)>& inPlane_;
   DrawnFront front_;
   std::vector<Apex> apexes_;
   std::vector<Element> elements_;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace af2::geometry {
 namespace {
@@ -64,6 +67,72 @@ TEST(CloseFront, FillsAStripOfThousandsOfSegments) {
   ASSERT_TRUE(close(result, kMaxClosingEdges));
   EXPECT_EQ(result.mesh.elements.size(), 2u * kSegments);
   EXPECT_NEAR(areaOf(result.mesh), 0.01 * kSegments, 1e-9);
+}
+
+TEST(CloseFront, FindsCornersHoweverFarAway) {
+  MeshingResult result = stuckAt({{{0, 0}, {0.001, 0}, {5, 100}}});
+  ASSERT_TRUE(close(result));
+  EXPECT_EQ(result.mesh.elements.size(), 1u);
+  EXPECT_NEAR(areaOf(result.mesh), 0.05, 1e-12);
+}
+
+bool isLeft(Point2 a, Point2 b, Point2 c) { return cross(b - a, c - a) > 0; }
+
+/// Whether no side of a polygon without points in line is in a triangle of its corners.
+bool isFree(const std::vector<Point2>& polygon, const std::array<std::size_t, 3>& corners) {
+  const auto isCorner = [&](std::size_t i) { return std::ranges::count(corners, i) > 0; };
+  const auto& [a, b, c] = corners;
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point2 p = polygon[i], q = polygon[(i + 1) % count];
+    if (!isCorner(i) && isLeft(polygon[a], polygon[b], p) && isLeft(polygon[b], polygon[c], p) &&
+        isLeft(polygon[c], polygon[a], p))
+      return false;
+    for (const auto& [from, to] : {std::pair(a, c), std::pair(c, b)}) {
+      const Point2 s = polygon[from], t = polygon[to];
+      const std::size_t next = (i + 1) % count;
+      if (i == from || i == to || next == from || next == to) continue;
+      if (isLeft(s, t, p) != isLeft(s, t, q) && isLeft(p, q, s) != isLeft(p, q, t)) return false;
+    }
+  }
+  return true;
+}
+
+/// The third corner of the first triangle, at the shortest edge: area over squared edges, for all.
+std::size_t bestCorner(const std::vector<Point2>& polygon, std::size_t a, std::size_t b) {
+  std::size_t best = 0;
+  double bestShape = 0;
+  for (std::size_t c = 0; c < polygon.size(); ++c) {
+    if (c == a || c == b || !isLeft(polygon[a], polygon[b], polygon[c])) continue;
+    const Point2 ab = polygon[b] - polygon[a], bc = polygon[c] - polygon[b],
+                 ca = polygon[a] - polygon[c];
+    const double shape = cross(ab, bc) / (dot(ab, ab) + dot(bc, bc) + dot(ca, ca));
+    if (shape <= bestShape || !isFree(polygon, {a, b, c})) continue;
+    best = c;
+    bestShape = shape;
+  }
+  return best;
+}
+
+TEST(CloseFront, FillsStarsOfLongAndShortEdges) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anyRadius(0.02, 1);
+  constexpr int kPoints = 60, kStars = 50;
+  for (int star = 0; star < kStars; ++star) {
+    std::vector<Point2> points;
+    double area = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kPoints, radius = anyRadius(random);
+      points.push_back({3 * radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    for (int i = 0; i < kPoints; ++i) area += cross(points[i], points[(i + 1) % kPoints]) / 2;
+    MeshingResult result = stuckAt({points});
+    ASSERT_TRUE(close(result)) << star;
+    EXPECT_EQ(result.mesh.elements.size(), kPoints - 2u);
+    const auto& corners = result.mesh.elements.front().corners;
+    EXPECT_EQ(corners[2].value, bestCorner(points, corners[0].value, corners[1].value)) << star;
+    EXPECT_NEAR(areaOf(result.mesh), area, 1e-12);
+  }
 }
 
 /// Boxes of edges tell little in it: each side has to be compared with many.
