@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <boost/container/flat_map.hpp>
+#include <boost/container/small_vector.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -54,7 +56,10 @@ class Program {
 /// its y. Coefficients are never zero.
 struct AffineForm {
   double constant = 0;
-  std::map<int, double> coefficients;
+  /// Mostly one or two, so that they need no memory of their own.
+  template <class Entry>
+  using Few = boost::container::small_vector<Entry, 4>;
+  boost::container::flat_map<int, double, std::less<>, Few<std::pair<int, double>>> coefficients;
 };
 
 /// Makes the steps of a program. It shares equal steps, folds constants, and tracks affine forms.

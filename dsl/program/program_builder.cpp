@@ -101,14 +101,17 @@ AffineForm combine(const AffineForm& a, double s, const AffineForm& b, double t)
     double& coefficient = result.coefficients[coordinate];
     coefficient = sum(coefficient, t * c);
   }
-  std::erase_if(result.coefficients, [](const auto& entry) { return entry.second == 0; });
+  for (auto entry = result.coefficients.begin(); entry != result.coefficients.end();)
+    entry = entry->second == 0 ? result.coefficients.erase(entry) : entry + 1;
   return result;
 }
 
 }  // namespace
 
 std::optional<AffineForm> ProgramBuilder::affineOf(const Step& s) const {
-  const auto form = [&](std::size_t i) { return affine_[index(s.arguments[i])]; };
+  const auto form = [&](std::size_t i) -> const std::optional<AffineForm>& {
+    return affine_[index(s.arguments[i])];
+  };
   const auto number = [&](std::size_t i) { return constantValue(s.arguments[i]); };
   switch (s.op) {
     case Op::Constant:

@@ -232,13 +232,32 @@ Window matchWindow(const CompiledRule& rule, int level, double tolerance) {
   return window;
 }
 
-/// The extent of the zone when matched vertices deviate, to either side, by half of the tolerance.
-Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double tolerance) {
-  Window window;
+void includeZone(const CompiledRule& rule, int level, const std::vector<Point2>& matched,
+                 Window& window) {
+  if (rule.zone) {
+    double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
+    const AffineBatch& corners = rule.zone->at(level);
+    corners.evaluate(matched.data(), x, y);
+    for (int k = 0; k < corners.count; ++k) window.include(x[k], y[k]);
+    return;
+  }
+  const RuleDefinition& definition = rule.rule->definition();
+  const auto made =
+      definition.zone->makeFreeZone(RuleAtMatch(definition, matched, level).binding());
+  if (!made.zone) return;
+  const Box2 box = made.zone->boundingBox();
+  window.include(std::max(box.low.x, -kEverywhere), std::max(box.low.y, -kEverywhere));
+  window.include(std::min(box.high.x, kEverywhere), std::min(box.high.y, kEverywhere));
+}
+
+/// By length of the base: the extent of the zone when matched vertices deviate, to either side, by
+/// half of the tolerance.
+std::array<Window, kBaseLengths.size()> zoneWindows(const CompiledRule& rule, int level,
+                                                    double tolerance) {
+  std::array<Window, kBaseLengths.size()> windows;
   const RuleDefinition& definition = rule.rule->definition();
   std::vector<Point2> matched(definition.vertices.size());
   for (int corner = 0; corner < 4; ++corner) {
-    matched[1] = {baseLength, 0};
     for (std::size_t i = 2; i < matched.size(); ++i) {
       const PatternVertex& v = definition.vertices[i];
       const ToleranceForm form = v.tolerance ? v.tolerance->at(level) : ToleranceForm{};
@@ -246,21 +265,12 @@ Window zoneWindow(const CompiledRule& rule, int level, double baseLength, double
       const double dx = std::min(0.5 * extent.x, 1.0), dy = std::min(0.5 * extent.y, 1.0);
       matched[i] = v.reference.at(level) + Point2{corner & 1 ? dx : -dx, corner & 2 ? dy : -dy};
     }
-    if (rule.zone) {
-      double x[AffineBatch::kCapacity], y[AffineBatch::kCapacity];
-      const AffineBatch& corners = rule.zone->at(level);
-      corners.evaluate(matched.data(), x, y);
-      for (int k = 0; k < corners.count; ++k) window.include(x[k], y[k]);
-      continue;
+    for (std::size_t b = 0; b < windows.size(); ++b) {
+      matched[1] = {kBaseLengths[b], 0};
+      includeZone(rule, level, matched, windows[b]);
     }
-    const auto made =
-        definition.zone->makeFreeZone(RuleAtMatch(definition, matched, level).binding());
-    if (!made.zone) continue;
-    const Box2 box = made.zone->boundingBox();
-    window.include(std::max(box.low.x, -kEverywhere), std::max(box.low.y, -kEverywhere));
-    window.include(std::min(box.high.x, kEverywhere), std::min(box.high.y, kEverywhere));
   }
-  return window;
+  return windows;
 }
 
 }  // namespace
@@ -329,16 +339,19 @@ void CompiledRules::collectRules(int level) {
 
 void CompiledRules::makeWindows(int level) {
   const double tolerance = set_.matchTolerance(level);
-  for (double baseLength : kBaseLengths) {
-    Window usual, wide;
-    for (const RuleAtLevel& at : rulesAt(level)) {
-      const Window zone = zoneWindow(*at.rule, level, baseLength, tolerance);
-      usual.include(matchWindow(*at.rule, level, tolerance));
-      (at.rule->isWide ? wide : usual).include(zone);
-    }
-    wide.include(usual);
-    windows_[false][indexOf(level)].push_back(usual.widened(kWindowMargin));
-    windows_[true][indexOf(level)].push_back(wide.widened(kWindowMargin));
+  std::array<Window, kBaseLengths.size()> usual, wide;
+  Window matched;
+  for (const RuleAtLevel& at : rulesAt(level)) {
+    matched.include(matchWindow(*at.rule, level, tolerance));
+    const auto zones = zoneWindows(*at.rule, level, tolerance);
+    for (std::size_t b = 0; b < zones.size(); ++b)
+      (at.rule->isWide ? wide : usual)[b].include(zones[b]);
+  }
+  for (std::size_t b = 0; b < kBaseLengths.size(); ++b) {
+    usual[b].include(matched);
+    wide[b].include(usual[b]);
+    windows_[false][indexOf(level)].push_back(usual[b].widened(kWindowMargin));
+    windows_[true][indexOf(level)].push_back(wide[b].widened(kWindowMargin));
   }
 }
 
