@@ -87,7 +87,7 @@ class Closer {
     const Point2 middle = 0.5 * (base.from + base.to);
     apexes_.clear();
     DrawnFront::Stretch known = front_.stretchAt(middle, 0);
-    known.end = known.begin;
+    known.end = known.begin;  // nothing yet
     for (double reach = kFirst * distance(base.from, base.to);; reach *= kMore) {
       const DrawnFront::Stretch stretch =
           front_.stretchAt(middle, reach > 0 ? reach : std::numeric_limits<double>::infinity());

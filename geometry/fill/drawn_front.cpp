@@ -15,11 +15,10 @@ DrawnFront::DrawnFront(std::vector<Vertex> vertices) {
   isLongInX_ = high_.x - low_.x >= high_.y - low_.y;
   std::ranges::sort(vertices, {}, [&](const Vertex& v) { return std::pair(along(v.place), v.id); });
   for (const Vertex& v : vertices) {
-    ranks_.emplace(v.id, places_.size());
-    places_.push_back(along(v.place));
+    ranks_.emplace(v.id, positions_.size());
     positions_.push_back(v.place);
   }
-  firstAt_.assign(places_.size(), kNone);
+  firstAt_.assign(positions_.size(), kNone);
 }
 
 void DrawnFront::add(DrawnEdge edge) {

@@ -58,7 +58,7 @@ class DrawnFront {
     return stretchBetween(along(place) - reach, along(place) + reach);
   }
   bool isAll(const Stretch& stretch) const {
-    return stretch.begin == 0 && stretch.end == places_.size();
+    return stretch.begin == 0 && stretch.end == positions_.size();
   }
   /// Calls visit(i) for the edges that start there until it returns false. Returns whether none
   /// did.
@@ -92,17 +92,17 @@ class DrawnFront {
   };
 
   Stretch stretchBetween(double low, double high) const {
-    const auto begin = std::ranges::lower_bound(places_, low);
-    const auto end = std::ranges::upper_bound(begin, places_.end(), high);
-    return {static_cast<std::size_t>(begin - places_.begin()),
-            static_cast<std::size_t>(end - places_.begin())};
+    const auto place = [&](Point2 p) { return along(p); };
+    const auto begin = std::ranges::lower_bound(positions_, low, {}, place);
+    const auto end = std::ranges::upper_bound(begin, positions_.end(), high, {}, place);
+    return {static_cast<std::size_t>(begin - positions_.begin()),
+            static_cast<std::size_t>(end - positions_.begin())};
   }
 
   Point2 low_, high_;  // of the box around the vertices
   bool isLongInX_ = true;
-  std::vector<double> places_;          // along the front, in order
+  std::vector<Point2> positions_;       // of the vertices, in the order along the front
   std::vector<std::uint32_t> firstAt_;  // likewise: an edge that starts there
-  std::vector<Point2> positions_;       // likewise
   std::map<VertexId, std::size_t> ranks_;
   std::vector<Entry> edges_;  // with those that were taken out
   double longest_ = 0;        // edge, along the front
