@@ -20,6 +20,7 @@
 #include "cli/mpi/model_file.h"
 #include "cli/program/command_faults.h"
 #include "cli/program/exit_code.h"
+#include "cli/program/freed_memory.h"
 #include "cli/program/interrupt.h"
 #include "cli/program/usage_error.h"
 #include "cli/rules/rule_loading.h"
@@ -236,6 +237,7 @@ int run(int count, char** arguments, const Interrupt& interrupt) {
 }  // namespace af2::mpi
 
 int main(int count, char** arguments) {
+  af2::cli::keepFreedMemory();
   const af2::cli::Interrupt interrupt;  // before other threads start
   int level = 0;
   MPI_Init_thread(&count, &arguments, MPI_THREAD_SERIALIZED, &level);

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "cli/program/freed_memory.h"
 #include "cli/program/program.h"
 #include "cli/program/verbs.h"
 
@@ -31,6 +32,7 @@ int main(int count, char** arguments) {
       {"manual", "print the manual page of a verb", declareManual},
       {"version", "print the version", declareVersion},
   };
+  keepFreedMemory();
   const int code = runProgram(kVerbs, count, arguments);
   std::fflush(nullptr);
   std::_Exit(code);  // all files are closed; to take libraries down one by one only takes time

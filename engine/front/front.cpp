@@ -7,6 +7,7 @@
 
 namespace af2 {
 
+/// The caller sets every member: clearing a place first would cost as much as setting it.
 PlaceId Front::take() {
   if (free_.empty()) {
     places_.emplace_back();
@@ -14,7 +15,6 @@ PlaceId Front::take() {
   }
   const PlaceId id = free_.back();
   free_.pop_back();
-  places_[id.value] = Place{};
   return id;
 }
 
@@ -88,6 +88,7 @@ void Front::replace(PlaceId base, std::span<const WalkVertex> walk, Change& chan
     place.size = w.size;
     place.layer = w.layer;
     place.level = 1;
+    place.ownCount = 0;
     link(last, id);
     if (loops_.areNumbered()) loops_.add(last, id);
     touched_.push_back(id);

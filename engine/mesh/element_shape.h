@@ -68,7 +68,7 @@ inline bool turnsLeftAt(std::span<const Point2> corners, std::size_t i) {
 
 /// Whether an element turns left at each corner.
 inline bool turnsLeftEverywhere(std::span<const Point2> corners) {
-  if (corners.size() == 3) return turnsLeftAt(corners, 0);
+  if (corners.size() == 3) return orientation(corners[0], corners[1], corners[2]) == Turn::Left;
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (!turnsLeftAt(corners, i)) return false;
   return true;

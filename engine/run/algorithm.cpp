@@ -127,6 +127,15 @@ class Run {
   }
 
   void step(PlaceId base) {
+    if (options_.observer)
+      observedStep(base);
+    else
+      step(
+          base, [](const StepChart&) {}, [](const Application&) {});
+  }
+
+  void observedStep(PlaceId base) {
+    AF2MeshingObserver& observer = *options_.observer;
     StepReport report;
     report.from = front_[base].vertex;
     report.to = front_[front_.next(base)].vertex;
@@ -135,24 +144,37 @@ class Run {
     report.level = front_[base].level;
     std::vector<RuleRefusal> refusals;
     std::optional<LocalFront> around;
+    const auto look = [&](const StepChart& chart) {
+      if (observer.wantsRefusals()) refusals = choice_.explain(chart, base);
+      if (observer.wantsFrontAround(report)) around = frontAround(chart, base);
+    };
+    const auto note = [&](const Application& application) {
+      report.applied = true;
+      report.rule = application.rule->index;
+      report.score = application.score;
+    };
+    step(base, look, note);
+    notify(report, refusals);
+    if (around) observer.frontAround(report, *around);
+  }
+
+  /// before  called with the chart, while the front is as it was
+  /// chosen  called with what is about to be applied
+  template <class Before, class Chosen>
+  void step(PlaceId base, const Before& before, const Chosen& chosen) {
+    bool isApplied = false;
     try {
       const StepChart chart = makeChart(base);
-      if (options_.observer && options_.observer->wantsRefusals())
-        refusals = choice_.explain(chart, base);
-      if (options_.observer && options_.observer->wantsFrontAround(report))
-        around = frontAround(chart, base);
+      before(chart);
       if (const Application* application = choice_.choose(chart, base)) {
-        report.applied = true;
-        report.rule = application->rule->index;
-        report.score = application->score;
+        isApplied = true;
+        chosen(*application);
         apply(base, *application);
       }
     } catch (const GeometryError&) {
       // There is no chart here: treat the edge like one that no rule takes.
     }
-    if (!report.applied) refuse(base);
-    notify(report, refusals);
-    if (around) options_.observer->frontAround(report, *around);
+    if (!isApplied) refuse(base);
   }
 
   /// What rules may see of the front, with room to spare.
@@ -178,7 +200,6 @@ class Run {
   }
 
   void notify(StepReport& report, std::vector<RuleRefusal>& refusals) {
-    if (!options_.observer) return;
     report.elements = result_.mesh.elements.size();
     report.frontEdges = front_.edgeCount();
     if (report.applied)
@@ -202,10 +223,10 @@ class Run {
       addVertices(application);
       addElements(application, front_[base].level, firstNew);
       acts_.enter(firstElement);
-      makeWalk(base, application, firstNew);
+      const std::span<const WalkVertex> walk = makeWalk(base, application, firstNew);
       if (acts_.haveRows()) useUpCounts(base);
       index_.erase(base);
-      front_.replace(base, walk_, change_);
+      front_.replace(base, walk, change_);
     }
     takeChange();
   }
@@ -285,24 +306,33 @@ class Run {
     return 1 + lowest;
   }
 
-  void makeWalk(PlaceId base, const Application& application, std::size_t firstNew) {
+  /// Writes over what earlier steps have left in `walk_`: to begin with empty vertices would cost
+  /// as much again.
+  std::span<const WalkVertex> makeWalk(PlaceId base, const Application& application,
+                                       std::size_t firstNew) {
     const CompiledRule& rule = *application.rule;
-    walk_.clear();
     const auto& vertices = rule.rule->replacement();
+    if (walk_.size() < vertices.size()) walk_.resize(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) {
+      WalkVertex& w = walk_[i];
       const int v = vertices[i];
       if (v < rule.matchedCount) {
         const Place& place = front_[application.open.places[static_cast<std::size_t>(v)]];
-        walk_.push_back(
-            {application.open.joined[i], place.vertex, place.point, place.size, place.layer});
+        w.existing = application.open.joined[i];
+        w.vertex = place.vertex;
+        w.point = place.point;
+        w.size = place.size;
+        w.layer = place.layer;
         continue;
       }
       const auto k = static_cast<std::size_t>(v - rule.matchedCount);
-      const SurfacePoint& point = *application.newPoints[k].point;
-      const double size = checkedSizeAt(size_, point);
-      walk_.push_back(
-          {PlaceId(), VertexId(firstNew + k), point, size, newLayer(base, application, i)});
+      w.existing = PlaceId();
+      w.vertex = VertexId(firstNew + k);
+      w.point = *application.newPoints[k].point;
+      w.size = checkedSizeAt(size_, w.point);
+      w.layer = newLayer(base, application, i);
     }
+    return {walk_.data(), vertices.size()};
   }
 
   template <class Visit>
@@ -359,7 +389,7 @@ class Run {
   CandidateChoice choice_;
   StallWatch watch_;
   ChartSlot slot_;
-  std::vector<WalkVertex> walk_;
+  std::vector<WalkVertex> walk_;  // as many as the longest walk had
   Front::Change change_;
   VertexElements elements_;
   FrontActs acts_;

@@ -67,10 +67,11 @@ std::vector<fs::path> foldersOfParts() {
 }
 
 /// One that is not there under this name is found when the library is loaded, or that tells what is
-/// missing.
+/// missing. Functions are looked up when they are first called, unless a library was linked to have
+/// it otherwise: for what a file needs of STEP, these are few.
 void loadFirst(const char* names, int mode) {
   std::istringstream list(names);
-  for (std::string name; list >> name;) ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | mode);
+  for (std::string name; list >> name;) ::dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL | mode);
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ void* entryOfPart(const std::string& library, const char* entry, const char* nee
                      folderOfProgram().string() + "'; copy or install it along with the program");
   const int mode = bindingMode();
   loadFirst(needed, mode);
-  void* const loaded = ::dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL | mode);
+  void* const loaded = ::dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL | mode);
   if (!loaded) throw InputError("cannot load a part of this program: " + std::string(::dlerror()));
   return ::dlsym(loaded, entry);
 }

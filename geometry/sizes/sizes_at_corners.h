@@ -31,10 +31,21 @@ class SizesAtCorners {
     Sizes sizes;
   };
 
-  std::size_t slotOf(const SurfacePoint& point) const;
+  /// Part of what a place is mixed to stands here, so that nearly all places that are no corners
+  /// are told apart without a look at a corner.
+  struct Slot {
+    std::uint32_t number = 0;  ///< 0: empty; else 1 + the index of a corner
+    std::uint32_t tag = 0;
+  };
+  struct Found {
+    std::size_t slot;  ///< that of the corner, or the empty one where it would be
+    std::uint32_t tag;
+  };
 
-  std::vector<Corner> corners_;       ///< each once
-  std::vector<std::uint32_t> slots_;  ///< 0: empty; else 1 + the index of a corner
+  Found search(const SurfacePoint& point) const;
+
+  std::vector<Corner> corners_;  ///< each once
+  std::vector<Slot> slots_;
 };
 
 }  // namespace af2::geometry

@@ -21,11 +21,16 @@ class ElfFile {
         header.e_ident[EI_CLASS] != ELFCLASS64 || header.e_ident[EI_DATA] != ELFDATA2LSB ||
         header.e_machine != EM_X86_64 || header.e_type != ET_DYN)
       fail();
-    for (int i = 0; i < header.e_phnum; ++i)
-      segments_.push_back(read<Elf64_Phdr>(header.e_phoff + sizeof(Elf64_Phdr) * unsigned(i)));
+    firstSegment_ = header.e_phoff;
+    for (std::size_t i = 0; i < header.e_phnum; ++i)
+      segments_.push_back(read<Elf64_Phdr>(placeOfSegment(i)));
   }
 
   const std::vector<Elf64_Phdr>& segments() const { return segments_; }
+  void setSegment(std::size_t i, const Elf64_Phdr& segment) {
+    segments_[i] = segment;
+    write(placeOfSegment(i), segment);
+  }
 
   /// Where in the file lies what is at `address` when the library is loaded.
   std::size_t placeOf(Elf64_Addr address) const {
@@ -34,6 +39,13 @@ class ElfFile {
           address - segment.p_vaddr < segment.p_filesz)
         return segment.p_offset + (address - segment.p_vaddr);
     fail();
+  }
+  /// Whether code lies there when the library is loaded.
+  bool isCode(Elf64_Addr address) const {
+    return std::ranges::any_of(segments_, [&](const Elf64_Phdr& segment) {
+      return segment.p_type == PT_LOAD && (segment.p_flags & PF_X) != 0 &&
+             address >= segment.p_vaddr && address - segment.p_vaddr < segment.p_filesz;
+    });
   }
 
   template <class T>
@@ -55,10 +67,12 @@ class ElfFile {
   }
 
  private:
+  std::size_t placeOfSegment(std::size_t i) const { return firstSegment_ + sizeof(Elf64_Phdr) * i; }
   void check(std::size_t place, std::size_t size) const {
     if (place > bytes_.size() || size > bytes_.size() - place) fail();
   }
   std::string bytes_;
+  std::size_t firstSegment_ = 0;
   std::vector<Elf64_Phdr> segments_;
 };
 
@@ -89,10 +103,15 @@ class DynamicTable {
     file.write(entries_.at(tag).place, entry);
   }
 
-  /// All symbols are looked up when the library is loaded, none when it is first used.
+  /// Whether functions are looked up when the library is loaded, not when they are first called.
   bool bindsNow() const {
     return has(DT_BIND_NOW) || ((*this)[DT_FLAGS] & DF_BIND_NOW) != 0 ||
            ((*this)[DT_FLAGS_1] & DF_1_NOW) != 0;
+  }
+  /// Without DT_BIND_NOW, which linkers no longer write.
+  void bindLate(ElfFile& file) const {
+    if (has(DT_FLAGS)) set(file, DT_FLAGS, (*this)[DT_FLAGS] & ~Elf64_Xword{DF_BIND_NOW});
+    if (has(DT_FLAGS_1)) set(file, DT_FLAGS_1, (*this)[DT_FLAGS_1] & ~Elf64_Xword{DF_1_NOW});
   }
 
  private:
@@ -124,30 +143,81 @@ class Binder {
   std::string run() {
     if (!dynamic_.has(DT_SYMTAB) || !dynamic_.has(DT_RELA)) return file_.take();
     symbols_ = file_.placeOf(dynamic_[DT_SYMTAB]);
-    std::vector<Elf64_Rela> bound = boundTable(DT_RELA, DT_RELASZ);
-    // The dynamic linker takes those without symbols from the front of the table, all at once.
-    const auto others = std::stable_partition(bound.begin(), bound.end(), isRelative);
-    write(DT_RELA, bound);
-    if (dynamic_.has(DT_RELACOUNT))
-      dynamic_.set(file_, DT_RELACOUNT, Elf64_Xword(others - bound.begin()));
-    // Where functions are looked up at their first call, the table of calls has to stay as it is.
-    if (dynamic_.has(DT_JMPREL) && dynamic_.bindsNow())
-      write(DT_JMPREL, boundTable(DT_JMPREL, DT_PLTRELSZ));
+    bindData();
+    if (dynamic_.has(DT_JMPREL)) bindCalls();
     return file_.take();
   }
 
  private:
-  std::vector<Elf64_Rela> boundTable(Elf64_Sxword table, Elf64_Sxword size) const {
+  void bindData() {
+    std::vector<Elf64_Rela> all = table(DT_RELA, DT_RELASZ);
+    for (Elf64_Rela& r : all) r = bound(r);
+    // The dynamic linker takes those without symbols from the front of the table, all at once.
+    const auto others = std::stable_partition(all.begin(), all.end(), isRelative);
+    write(DT_RELA, all);
+    if (dynamic_.has(DT_RELACOUNT))
+      dynamic_.set(file_, DT_RELACOUNT, Elf64_Xword(others - all.begin()));
+  }
+
+  void bindCalls() {
+    std::vector<Elf64_Rela> calls = table(DT_JMPREL, DT_PLTRELSZ);
+    if (canBeLookedUpLate(calls)) {
+      // To a slot of a function that is looked up later, the dynamic linker only adds where the
+      // library has been loaded: at first the slots lead to the code that looks up.
+      for (const Elf64_Rela& call : calls)
+        if (const auto symbol = symbolOf(call); isBoundHere(symbol))
+          file_.write(file_.placeOf(call.r_offset), symbol.st_value);
+      dynamic_.bindLate(file_);
+      keepWritable(dynamic_[DT_PLTGOT]);
+    } else if (dynamic_.bindsNow()) {
+      for (Elf64_Rela& call : calls) call = bound(call);
+      write(DT_JMPREL, calls);
+    }
+  }
+
+  /// Whether all slots of calls lead to code, and the entries before them are for the dynamic
+  /// linker to fill: as linkers leave them even in libraries that are to be bound at once.
+  bool canBeLookedUpLate(const std::vector<Elf64_Rela>& calls) const {
+    if (!dynamic_.has(DT_PLTGOT) || dynamic_.has(DT_BIND_NOW)) return false;
+    for (const std::size_t entry : {1, 2})
+      if (wordAt(dynamic_[DT_PLTGOT] + entry * sizeof(Elf64_Xword)) != 0) return false;
+    return std::ranges::all_of(calls, [&](const Elf64_Rela& call) {
+      return ELF64_R_TYPE(call.r_info) == R_X86_64_JUMP_SLOT && file_.isCode(wordAt(call.r_offset));
+    });
+  }
+
+  /// What the dynamic linker makes read-only ends before this address.
+  void keepWritable(Elf64_Addr address) {
+    for (std::size_t i = 0; i < file_.segments().size(); ++i) {
+      Elf64_Phdr segment = file_.segments()[i];
+      if (segment.p_type != PT_GNU_RELRO || address < segment.p_vaddr ||
+          address - segment.p_vaddr >= segment.p_memsz)
+        continue;
+      segment.p_memsz = address - segment.p_vaddr;
+      segment.p_filesz = std::min(segment.p_filesz, segment.p_memsz);
+      file_.setSegment(i, segment);
+    }
+  }
+
+  std::vector<Elf64_Rela> table(Elf64_Sxword table, Elf64_Sxword size) const {
     std::vector<Elf64_Rela> relocations;
     const std::size_t begin = file_.placeOf(dynamic_[table]);
     for (std::size_t at = 0; at + sizeof(Elf64_Rela) <= dynamic_[size]; at += sizeof(Elf64_Rela))
-      relocations.push_back(boundOne(file_.read<Elf64_Rela>(begin + at)));
+      relocations.push_back(file_.read<Elf64_Rela>(begin + at));
     return relocations;
   }
 
-  Elf64_Rela boundOne(Elf64_Rela r) const {
+  Elf64_Xword wordAt(Elf64_Addr address) const {
+    return file_.read<Elf64_Xword>(file_.placeOf(address));
+  }
+
+  Elf64_Sym symbolOf(const Elf64_Rela& r) const {
+    return file_.read<Elf64_Sym>(symbols_ + sizeof(Elf64_Sym) * ELF64_R_SYM(r.r_info));
+  }
+
+  Elf64_Rela bound(Elf64_Rela r) const {
     if (!namesSymbol(r)) return r;
-    const auto symbol = file_.read<Elf64_Sym>(symbols_ + sizeof(Elf64_Sym) * ELF64_R_SYM(r.r_info));
+    const Elf64_Sym symbol = symbolOf(r);
     if (!isBoundHere(symbol)) return r;
     const bool isAdded = ELF64_R_TYPE(r.r_info) == R_X86_64_64;
     r.r_addend = static_cast<Elf64_Sxword>(symbol.st_value) + (isAdded ? r.r_addend : 0);

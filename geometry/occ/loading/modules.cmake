@@ -15,7 +15,7 @@ foreach(part ${loaded_parts})
   target_compile_definitions(af2_${part}_module PRIVATE
     AF2_VERSION="${PROJECT_VERSION}")
   target_link_libraries(af2_${part}_module PRIVATE af2_build af2_occ_headers af2_${part})
-  target_link_options(af2_${part}_module PRIVATE LINKER:-z,defs LINKER:--as-needed)
+  target_link_options(af2_${part}_module PRIVATE LINKER:-z,defs LINKER:-z,now LINKER:--as-needed)
   set_target_properties(af2_${part}_module PROPERTIES
     PREFIX "" OUTPUT_NAME af2-${part} AF2_LOADS_PARTS ON)
   list(TRANSFORM ${part}_libraries REPLACE "(.+)" "$<TARGET_SONAME_FILE_NAME:\\1>"

@@ -36,6 +36,11 @@ int countedInThread() {
 
 int valueOfOtherLibrary() { return static_cast<int>(std::strlen("text")); }
 
+#ifdef AF2_CALLS_WHAT_IS_MISSING
+int definedNowhere();
+int valueOfMissing() { return definedNowhere(); }
+#endif
+
 }  // extern "C"
 
 template <class T>
