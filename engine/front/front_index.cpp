@@ -10,7 +10,7 @@ namespace {
 
 /// Cell size as a multiple of the band's longest edge: large enough that a step visits few cells,
 /// small enough that a search finds few edges that are not neighbours.
-constexpr double kCellPerLength = 3.0;
+constexpr double kCellPerLength = 4.0;
 constexpr int kMiddleBand = 16;
 
 /// The largest integer not above x. Faster than std::floor, which is a function call if the
@@ -132,11 +132,12 @@ void FrontIndex::collectInCell(const Cell& cell, Search& search) const {
   if (search.found.size() < count + cell.edges) search.found.resize(2 * (count + cell.edges));
   const Query query = search.query;
   PlaceId* found = search.found.data() + count;
-  for (PlaceId id = cell.first; !id.isNone();) {
-    const Entry& entry = entries_[id.value];
-    *found = id;
-    found += query.mayMeet(entry);
-    id = entry.next;
+  const Four* edges = stored_.edges.data() + cell.first;
+  const PlaceId* places = stored_.places.data() + cell.first;
+  // The newest first: of several that hit a zone, the first one is named as the reason.
+  for (std::uint32_t i = cell.edges; i-- > 0;) {
+    *found = places[i];
+    found += query.mayMeet(edges[i]);
   }
   count = static_cast<std::size_t>(found - search.found.data());
 }
@@ -159,14 +160,13 @@ void FrontIndex::insert(const Front& front, PlaceId id) {
   if (id.value >= entries_.size()) entries_.resize(std::max(front.capacity(), 2 * entries_.size()));
   const Point3 d = middle - origin_;
   const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  Entry& entry = entries_[id.value];
-  entry.edge = Four{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z),
-                    roundedUp(reach, farthest)};
-  entry.next = cell.first;
-  entry.previous = PlaceId();
-  entry.cell = static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex;
-  if (!cell.first.isNone()) entries_[cell.first.value].previous = id;
-  cell.first = id;
+  if (cell.edges == cell.room) makeRoom(cell);
+  const std::size_t at = cell.first + cell.edges;
+  stored_.edges[at] = Four{static_cast<float>(d.x), static_cast<float>(d.y),
+                           static_cast<float>(d.z), roundedUp(reach, farthest)};
+  stored_.places[at] = id;
+  entries_[id.value] = {static_cast<std::uint32_t>(bandIndex) << kBandShift | cellIndex,
+                        cell.edges};
   ++cell.edges;
   ++band.edges;
   if (band.cells.size() > 64 && band.cells.size() > 4 * band.edges) dropEmptyCells(band);
@@ -177,14 +177,41 @@ void FrontIndex::erase(PlaceId id) {
   Entry& entry = entries_[id.value];
   Band& band = bands_[entry.cell >> kBandShift];
   Cell& cell = band.cells[entry.cell & ((1u << kBandShift) - 1)];
-  if (!entry.next.isNone()) entries_[entry.next.value].previous = entry.previous;
-  if (!entry.previous.isNone())
-    entries_[entry.previous.value].next = entry.next;
-  else
-    cell.first = entry.next;
+  // The cell's last edge takes its place.
+  const std::size_t at = cell.first + entry.at, last = cell.first + cell.edges - 1;
+  const PlaceId moved = stored_.places[last];
+  stored_.edges[at] = stored_.edges[last];
+  stored_.places[at] = moved;
+  entries_[moved.value].at = entry.at;
   entry.cell = kEmpty;
   --cell.edges;
   --band.edges;
+}
+
+/// Twice as much, in a part of `stored_` that no cell has any more, or at its end.
+void FrontIndex::makeRoom(Cell& cell) {
+  constexpr std::uint32_t kFirstRoom = 8;
+  Cell larger = cell;
+  larger.room = std::max(kFirstRoom, 2 * cell.room);
+  std::vector<std::uint32_t>& free = free_[static_cast<std::size_t>(std::countr_zero(larger.room))];
+  if (free.empty()) {
+    larger.first = static_cast<std::uint32_t>(stored_.places.size());
+    stored_.edges.resize(stored_.edges.size() + larger.room);
+    stored_.places.resize(stored_.places.size() + larger.room);
+  } else {
+    larger.first = free.back();
+    free.pop_back();
+  }
+  std::copy_n(stored_.edges.begin() + cell.first, cell.edges, stored_.edges.begin() + larger.first);
+  std::copy_n(stored_.places.begin() + cell.first, cell.edges,
+              stored_.places.begin() + larger.first);
+  giveBack(cell);
+  cell = larger;
+}
+
+void FrontIndex::giveBack(const Cell& cell) {
+  if (cell.room > 0)
+    free_[static_cast<std::size_t>(std::countr_zero(cell.room))].push_back(cell.first);
 }
 
 std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
@@ -194,7 +221,7 @@ std::uint32_t FrontIndex::findOrAdd(Band& band, std::uint64_t key) {
   if (slot.cell != kEmpty) return slot.cell;
   AF2_CHECK(band.cells.size() < (1u << kBandShift), "fewer than 2^27 cells are in use");
   slot = {key, static_cast<std::uint32_t>(band.cells.size())};
-  band.cells.push_back({key, PlaceId(), 0});
+  band.cells.push_back({key});
   markBlock(band, key);
   return slot.cell;
 }
@@ -219,12 +246,15 @@ void FrontIndex::dropEmptyCells(Band& band) {
   std::size_t kept = 0;
   band.midpoints = kNowhere;
   for (const Cell& cell : band.cells) {
-    if (cell.first.isNone()) continue;
-    for (PlaceId id = cell.first; !id.isNone(); id = entries_[id.value].next) {
-      std::uint32_t& own = entries_[id.value].cell;
+    if (cell.edges == 0) {
+      giveBack(cell);
+      continue;
+    }
+    for (std::uint32_t i = 0; i < cell.edges; ++i) {
+      std::uint32_t& own = entries_[stored_.places[cell.first + i].value].cell;
       own = (own & ~((1u << kBandShift) - 1)) | static_cast<std::uint32_t>(kept);
       // `half` already includes the entry's rounding error.
-      const Four edge = entries_[id.value].edge;
+      const Four edge = stored_.edges[cell.first + i];
       const Point3 middle = origin_ + Point3{edge[0], edge[1], edge[2]};
       const Point3 half{edge[3], edge[3], edge[3]};
       include(band.midpoints, middle - half);

@@ -46,8 +46,9 @@ class FrontIndex {
 
   struct Cell {
     std::uint64_t key = 0;
-    PlaceId first;
+    std::uint32_t first = 0;  ///< its edges in `stored_`, side by side
     std::uint32_t edges = 0;
+    std::uint32_t room = 0;  ///< for so many; 0 or a power of two
   };
   struct Slot {
     std::uint64_t key = 0;
@@ -56,25 +57,30 @@ class FrontIndex {
   /// Four numbers in one SIMD register.
   using Four = float __attribute__((vector_size(16)));
   using FourBits = std::int32_t __attribute__((vector_size(16)));
-  /// The approximate edge of one place and its neighbours in its cell's list. Everything a search
-  /// reads is in one cache line.
-  struct alignas(32) Entry {
+  using TwoPairs = std::int64_t __attribute__((vector_size(16)));
+  /// The approximate edges of cells, each cell's side by side, and their places. A search reads
+  /// nothing else of an edge.
+  struct Stored {
     /// The edge's midpoint x, y, z, relative to the origin of the index. The fourth number is the
     /// largest distance along an axis from the midpoint to a point of the edge.
-    Four edge{};
-    PlaceId next, previous;
+    std::vector<Four> edges;
+    std::vector<PlaceId> places;
+  };
+  /// Where the edge of a place is stored.
+  struct Entry {
     std::uint32_t cell = kEmpty;
+    std::uint32_t at = 0;  ///< in the cell
   };
   /// A box in the single precision of the entries, slightly enlarged.
   struct Query {
     Four center, half;  ///< along x, y, z; the fourth half is infinite
-    bool mayMeet(const Entry& e) const {
-      const Four away = e.edge - center, reach = half + e.edge[3];
+    bool mayMeet(Four edge) const {
+      const Four away = edge - center, reach = half + edge[3];
       constexpr std::int32_t kNoSign = 0x7fffffff;
       const auto isNear =
           std::bit_cast<Four>(std::bit_cast<FourBits>(away) &
                               FourBits{kNoSign, kNoSign, kNoSign, kNoSign}) <= reach;
-      const auto pairs = std::bit_cast<std::array<std::int64_t, 2>>(isNear);
+      const auto pairs = std::bit_cast<TwoPairs>(isNear);
       return (pairs[0] & pairs[1]) == -1;
     }
   };
@@ -139,6 +145,8 @@ class FrontIndex {
     return i;
   }
   std::uint32_t findOrAdd(Band& band, std::uint64_t key);
+  void makeRoom(Cell& cell);
+  void giveBack(const Cell& cell);
   static void rehash(Band& band, std::size_t slots);
   static void markBlock(Band& band, std::uint64_t key);
   void dropEmptyCells(Band& band);
@@ -155,8 +163,10 @@ class FrontIndex {
   Point3 origin_;
   std::vector<Band> bands_;
   std::size_t firstBand_ = kBands, lastBand_ = 0;  // bands that hold or have held an edge
-  // By place; separate from the places, so that lists are compact in memory.
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_;                     // by place
+  Stored stored_;
+  /// By the logarithm of their room: where in `stored_` parts begin that no cell has.
+  std::array<std::vector<std::uint32_t>, 32> free_;
 };
 
 }  // namespace af2
