@@ -17,13 +17,18 @@ namespace af2 {
 /// leans more is a fold of the mesh, not an approximation of the surface.
 inline constexpr double kMinNormalCosine = 0.2;
 
+/// Whether the angle between two directions is smaller than that; `normal` has the length 1.
+///
+/// squared  dot(turned, turned)
+inline bool leansLittle(const Point3& turned, double squared, const Point3& normal) {
+  const double cosine = dot(turned, normal);
+  return (cosine > 0) & (cosine * cosine > kMinNormalCosine * kMinNormalCosine * squared);
+}
+
 /// Whether a corner faces the way the surface does; `turned` is the cross product of its edges. A
 /// zero normal, as at a pole, accepts every direction.
 inline bool facesNormal(const Point3& turned, const Point3& normal) {
-  const double cosine = dot(turned, normal);
-  return (cosine > 0 &&
-          cosine * cosine > kMinNormalCosine * kMinNormalCosine * dot(turned, turned)) ||
-         normal == Point3{};
+  return leansLittle(turned, dot(turned, turned), normal) || normal == Point3{};
 }
 /// The same for the corner between two edges of an element.
 inline bool facesNormal(const Point3& corner, const Point3& ahead, const Point3& behind,
@@ -113,8 +118,9 @@ inline bool isPlainlyBelow(double limit, const SurfacePoint& a, const SurfacePoi
                            const SurfacePoint& c) {
   const Point3 p = b.position - a.position, q = c.position - a.position;
   const Point3 turned = cross(p, q);
+  const double squared = dot(turned, turned);
   for (const SurfacePoint* corner : {&a, &b, &c})
-    if (!facesNormal(turned, corner->normal)) return false;
+    if (!leansLittle(turned, squared, corner->normal) && corner->normal != Point3{}) return false;
   return isPlainlyBelow(limit, p, q, turned);
 }
 

@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/triangle_grades.h"
+#include "engine/step/chart_drawing.h"
 
 namespace af2 {
 namespace {
@@ -280,7 +281,15 @@ bool VertexSmoother::isFixed(Corner c) const {
   return topology_.vertexAt(c).value < topology_.fixedCount();
 }
 
+/// Returns false if an edge at the vertex is hidden in the chart.
 bool VertexSmoother::makeTerms(const StepChart& chart) {
+  bool isSeen = false;
+  withDrawing(chart, [&](const auto& drawing) { isSeen = makeTerms(chart, drawing); });
+  return isSeen;
+}
+
+template <class Drawing>
+bool VertexSmoother::makeTerms(const StepChart& chart, const Drawing& drawing) {
   terms_.clear();
   upright_.clear();
   double shortest = INFINITY;  // squared
@@ -291,7 +300,8 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   const Point3& here = at(star_.front()).position;
   const double squaredUnit = chart.unit() * chart.unit();
   const auto drawn = [&](Corner c) {
-    ChartPoint point = chart.project(at(c));
+    const Drawn where = drawing(at(c));
+    ChartPoint point{pointAt(where.position), where.view};
     if (chart.isPlane()) return point;
     const Point3 edge = at(c).position - here;
     const double seen = squaredUnit * dot(point.position, point.position);
@@ -328,6 +338,7 @@ bool VertexSmoother::makeTerms(const StepChart& chart) {
   return true;
 }
 
+/// False also where a corner has no normal.
 bool VertexSmoother::areAllPlainlyGood() const {
   const SurfacePoint& here = at(star_.front());
   // Around the vertex, the edge behind one element is the edge ahead of the next.
@@ -338,8 +349,10 @@ bool VertexSmoother::areAllPlainlyGood() const {
     const SurfacePoint* const behind = &at(topology_.previous(c));
     const Point3 q = behind->position - here.position;
     const Point3 turned = cross(p, q);
-    for (const SurfacePoint* corner : {&here, ahead, behind})
-      if (!facesNormal(turned, corner->normal)) return false;
+    const double squared = dot(turned, turned);
+    if (!(leansLittle(turned, squared, here.normal) & leansLittle(turned, squared, ahead->normal) &
+          leansLittle(turned, squared, behind->normal)))
+      return false;
     if (!isPlainlyBelow(kGoodDistortion, p, q, turned)) return false;
     ahead = behind;
     p = q;

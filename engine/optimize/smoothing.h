@@ -50,6 +50,8 @@ class VertexSmoother {
                   Goal goal) const;
   bool isFixed(Corner c) const;
   bool makeTerms(const StepChart& chart);
+  template <class Drawing>
+  bool makeTerms(const StepChart& chart, const Drawing& drawing);
   bool areAllPlainlyGood() const;
   double worstDistortion() const;
   const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
