@@ -7,8 +7,8 @@ namespace af2::cli {
 
 /// Keeps freed memory for what comes next. By default glibc returns it to the system from 128 kB
 /// on, piece after piece and face after face of a mesh, and each page costs a page fault when it is
-/// needed again. These are the limits that glibc itself arrives at once 32 MB in one block have
-/// been freed. Before other threads start.
+/// needed again. These are the limits to which glibc raises them itself when a block of 32 MB is
+/// freed. To be called before other threads start.
 inline void keepFreedMemory() {
 #ifdef __GLIBC__
   constexpr int kLargestKept = 32 << 20;

@@ -24,8 +24,6 @@ class AF2_EXPORT AF2ElementMetric {
   virtual std::optional<double> badnessAt(std::span<const Point2> corners, int /*level*/) const {
     return badness(corners);
   }
-  /// Whether it does not matter with which corner an element begins.
-  virtual bool isSymmetric() const { return false; }
   /// A lower bound of the badness of elements with this number of corners at a quality level.
   virtual double leastAt(int /*corners*/, int /*level*/) const { return -INFINITY; }
 };
@@ -47,7 +45,6 @@ class AF2_EXPORT ShapeSizeMetric final : public AF2ElementMetric {
     return weight_ * (perimeter * perimeter / (0.5 * doubleArea * kTrianglePerimeterRatio) - 1) +
            size;
   }
-  bool isSymmetric() const override { return true; }
   double leastAt(int /*corners*/, int /*level*/) const override {
     return weight_ < 0 ? -INFINITY : 0;
   }

@@ -71,9 +71,7 @@ float scoreOf(const MeshSlice& mesh, std::size_t e, const RuleSetDefinition& rul
   const double unit = isWanted ? meanWantedSize(mesh, element) : layout.firstSide();
   if (!(unit > 0)) return kNoScore;
   float best = kNoScore;
-  // What has been changed since has no base any more.
-  const int beginnings = origin.isChanged && !rules.metric->isSymmetric() ? layout.count() : 1;
-  for (int first = 0; first < beginnings; ++first) {
+  for (int first = 0; first < (origin.isChanged ? layout.count() : 1); ++first) {
     const auto corners = layout.from(first, unit);
     const auto badness =
         rules.metric->badnessAt(std::span(corners.data(), static_cast<std::size_t>(layout.count())),
