@@ -9,6 +9,7 @@
 #include "engine/front/front_queue.h"
 #include "engine/front/input_check.h"
 #include "engine/run/front_acts.h"
+#include "engine/run/observed_step.h"
 #include "engine/run/stall_watch.h"
 #include "engine/step/candidate_choice.h"
 #include "engine/step/compiled_rules.h"
@@ -127,35 +128,14 @@ class Run {
   }
 
   void step(PlaceId base) {
-    if (options_.observer)
-      observedStep(base);
-    else
-      step(
+    if (!options_.observer)
+      return step(
           base, [](const StepChart&) {}, [](const Application&) {});
-  }
-
-  void observedStep(PlaceId base) {
-    AF2MeshingObserver& observer = *options_.observer;
-    StepReport report;
-    report.from = front_[base].vertex;
-    report.to = front_[front_.next(base)].vertex;
-    report.fromPoint = front_[base].point.position;
-    report.toPoint = front_[front_.next(base)].point.position;
-    report.level = front_[base].level;
-    std::vector<RuleRefusal> refusals;
-    std::optional<LocalFront> around;
-    const auto look = [&](const StepChart& chart) {
-      if (observer.wantsRefusals()) refusals = choice_.explain(chart, base);
-      if (observer.wantsFrontAround(report)) around = frontAround(chart, base);
-    };
-    const auto note = [&](const Application& application) {
-      report.applied = true;
-      report.rule = application.rule->index;
-      report.score = application.score;
-    };
-    step(base, look, note);
-    notify(report, refusals);
-    if (around) observer.frontAround(report, *around);
+    ObservedStep observed(*options_.observer, front_, base);
+    step(
+        base, [&](const StepChart& chart) { observed.look(choice_, chart); },
+        [&](const Application& application) { observed.note(application); });
+    observed.tell(result_.mesh);
   }
 
   /// before  called with the chart, while the front is as it was
@@ -177,13 +157,6 @@ class Run {
     if (!isApplied) refuse(base);
   }
 
-  /// What rules may see of the front, with room to spare.
-  LocalFront frontAround(const StepChart& chart, PlaceId base) const {
-    constexpr double kReach = 4;  // sizes
-    const double size = 0.5 * (front_[base].size + front_[front_.next(base)].size) / chart.unit();
-    return localFront(front_, chart, base, size, kReach * std::max(size, 1.0));
-  }
-
   StepChart makeChart(PlaceId base) {
     const Place& a = front_[base];
     const Place& b = front_[a.next];
@@ -197,21 +170,6 @@ class Run {
     if (front_[base].level >= rules_.set().maxLevel()) return;
     front_.raiseLevel(base);
     queue_.push(front_, base);
-  }
-
-  void notify(StepReport& report, std::vector<RuleRefusal>& refusals) {
-    report.elements = result_.mesh.elements.size();
-    report.frontEdges = front_.edgeCount();
-    if (report.applied)
-      std::erase_if(refusals, [&](const RuleRefusal& r) {
-        if (r.rule != report.rule) return false;
-        report.ruleSeconds = r.seconds;
-        return true;
-      });
-    options_.observer->stepTaken(report);
-    if (report.applied) options_.observer->meshGrown(report, result_.mesh);
-    if (!options_.observer->wantsRefusals()) return;
-    options_.observer->rulesRefused(report, refusals);
   }
 
   void apply(PlaceId base, const Application& application) {
@@ -369,7 +327,7 @@ class Run {
     try {
       const StepChart chart = makeChart(id);
       edge.refusals = choice_.explain(chart, id);
-      if (result_.stuck.size() < kMaxPieces) edge.around = frontAround(chart, id);
+      if (result_.stuck.size() < kMaxPieces) edge.around = frontAround(front_, chart, id);
     } catch (const GeometryError&) {
       for (std::size_t i = 0; i < rules_.rules().size(); ++i)
         edge.refusals.push_back({i, Refusal::Surface, {}, {}});
