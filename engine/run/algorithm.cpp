@@ -8,6 +8,7 @@
 #include "engine/front/front_index.h"
 #include "engine/front/front_queue.h"
 #include "engine/front/input_check.h"
+#include "engine/run/covered_area.h"
 #include "engine/run/front_acts.h"
 #include "engine/run/observed_step.h"
 #include "engine/run/stall_watch.h"
@@ -35,6 +36,7 @@ class Run {
         queue_(*rules.set().definition().order),
         choice_(rules, front_, index_, size, valence_),
         watch_(options),
+        covered_(options.areaUnit),
         acts_(rules, {front_, index_, queue_, result_.mesh, elements_, maker}, size, valence_,
               options.observer) {
     makeRoom(input.vertexCount);
@@ -114,7 +116,8 @@ class Run {
       ++result_.steps;
       if (!watch_.isReportDue(result_.steps, choice_.examined())) continue;
       if (options_.progress)
-        options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined()});
+        options_.progress({result_.mesh.elements.size(), front_.edgeCount(), choice_.examined(),
+                           covered_.of(result_.mesh)});
       if (watch_.isStalled({result_.steps, choice_.examined(), gains(), front_.edgeCount()})) {
         result_.outcome = Outcome::Stuck;
         return;
@@ -346,6 +349,7 @@ class Run {
   std::vector<std::uint8_t> valence_;  // number of elements at each vertex, at most 255
   CandidateChoice choice_;
   StallWatch watch_;
+  CoveredArea covered_;
   ChartSlot slot_;
   std::vector<WalkVertex> walk_;  // as many as the longest walk had
   Front::Change change_;

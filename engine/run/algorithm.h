@@ -31,6 +31,7 @@ struct FrontOptions {
   /// Whether rule sets that accept quadrilaterals with a reflex corner get them. The caller then
   /// has to mend them, as `meshRegion` does.
   bool acceptReflex = true;
+  double areaUnit = 0;          ///< of Progress::area, a squared length; 0: areas are not measured
   double expectedElements = 0;  ///< memory is reserved for this many, so that it need not grow
 };
 

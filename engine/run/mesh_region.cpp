@@ -30,6 +30,7 @@ class SharedProgress {
       sum_.elements += progress.elements - last_[piece].elements;
       sum_.frontEdges += progress.frontEdges - last_[piece].frontEdges;
       sum_.candidates += progress.candidates - last_[piece].candidates;
+      sum_.area += progress.area - last_[piece].area;
       last_[piece] = progress;
       callback_(sum_);
     };

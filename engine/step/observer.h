@@ -111,6 +111,9 @@ struct Progress {
   std::size_t elements = 0;
   std::size_t frontEdges = 0;
   std::size_t candidates = 0;  ///< examined so far: determines the running time
+  /// Of the elements, in units of FrontOptions::areaUnit, rounded down. A whole number, so that the
+  /// sum over pieces does not depend on their order.
+  std::size_t area = 0;
 };
 using ProgressCallback = std::function<void(const Progress&)>;
 

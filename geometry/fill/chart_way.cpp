@@ -11,6 +11,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/mesh_check.h"
 #include "geometry/charts/laid_out.h"
+#include "geometry/check/model_check.h"
 #include "geometry/fill/fill_limits.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/fill/without_normals.h"
@@ -19,9 +20,13 @@ namespace af2::geometry {
 
 namespace {
 
+/// Units of the area of a face, in which that of its elements is measured.
+constexpr double kAreaUnits = 1 << 20;
+
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
-/// enclose one; or whose front is so crammed that no end is in sight. Depends on what all pieces of
-/// a face have done, never on the clock or on which of them came first.
+/// enclose one; whose elements overlap; or whose front is so crammed that no end is in sight.
+/// Depends on what all pieces of a face have done, never on the clock or on which of them came
+/// first.
 class RunawayGuard {
  public:
   /// margin  how many times more elements than are expected the limit allows
@@ -35,10 +40,13 @@ class RunawayGuard {
   void see(const Progress& progress) {
     ranAway_ = ranAway_ || progress.elements > limit_;
     isCrammed_ = isCrammed_ || progress.candidates > maxCandidates_;
-    if (ranAway_ || isCrammed_) source_.request_stop();
+    const double covered = static_cast<double>(progress.area) / kAreaUnits;
+    overlaps_ = overlaps_ || (covered > 1 && isWrongArea(covered, progress.elements));
+    if (ranAway_ || isCrammed_ || overlaps_) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
   bool isCrammed() const { return isCrammed_; }
+  bool overlaps() const { return overlaps_; }
 
  private:
   struct Forward {
@@ -50,7 +58,7 @@ class RunawayGuard {
   }
 
   std::size_t limit_, maxCandidates_;
-  bool ranAway_ = false, isCrammed_ = false;
+  bool ranAway_ = false, isCrammed_ = false, overlaps_ = false;
   std::stop_source source_;
   std::stop_callback<Forward> forward_;
 };
@@ -223,6 +231,12 @@ std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
          std::to_string(std::lround(expected)) + (names.empty() ? "" : ", most by ") + names;
 }
 
+/// 0 where elements cannot overlap, or where their area in the front is not that on the surface.
+double areaUnitOf(const FaceTask& task, const ChartTraits& chart) {
+  const bool isMeasured = chart.drawing != ChartDrawing::WholeFace && !task.surface.isPlane();
+  return isMeasured && task.area > 0 ? task.area / kAreaUnits : 0;
+}
+
 /// Runs a front as long as that gets on.
 ///
 /// stallLimit  FrontOptions::stallSteps
@@ -234,6 +248,7 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   options.stallSteps = stallLimit;
   options.stallCandidates = kStallCandidates;
   options.acceptReflex = !task.limits.refusesReflex;
+  options.areaUnit = areaUnitOf(task, chart);
   options.stop = guard.token();
   if (task.options.observer) options.observer = task.options.observer();
   options.progress = [&](const Progress& progress) {
@@ -244,7 +259,9 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   attempt.chart = chart.kind;
   attempt.isDrawnInParameters = chart.canCloseInParameters;
   attempt.searchCost = attempt.result.candidates;
-  if (guard.ranAway())
+  if (guard.overlaps())
+    attempt.fault = {FillFaultKind::TooMuchArea, elementsOfStoppedFront(task, attempt.result.mesh)};
+  else if (guard.ranAway())
     attempt.fault = {FillFaultKind::TooManyElements,
                      elementsOfStoppedFront(task, attempt.result.mesh)};
   else if (guard.isCrammed())

@@ -17,6 +17,8 @@ std::string textOf(const FillFault& fault) {
       return "far more elements than fit the area: " + fault.details +
              "; either the rules let elements overlap (see 'af2 check'), or the boundary does not "
              "enclose a region";
+    case FillFaultKind::TooMuchArea:
+      return "elements overlap, they have far more area than the face: " + fault.details;
     case FillFaultKind::TooManyCandidates:
       return "the front examined too many candidates, so it was stopped: " + fault.details;
     case FillFaultKind::FoldedInParameters:

@@ -15,6 +15,7 @@ enum class FillFaultKind {
   BadParameters,       ///< the boundary is invalid in the parameters
   Stuck,               ///< no rule fits at some edges of the front; the details say where
   TooManyElements,     ///< far more than expected from the sizes
+  TooMuchArea,         ///< the elements have more area than the face
   TooManyCandidates,   ///< the front examined more than it is allowed
   Unsound,             ///< the mesh does not pass its checks; the details say why
   FoldedInParameters,  ///< elements fold over in the parameters

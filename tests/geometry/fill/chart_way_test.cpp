@@ -19,6 +19,20 @@ double fineInside(const Point3& p) {
   return std::clamp(0.4 * (std::hypot(p.x - 2, p.y - 2) - 0.8), 0.01, 0.5);
 }
 
+/// A plane that is not known as one, as a curved surface is where nothing bends it.
+class UnknownPlane final : public ChartedSurface {
+ public:
+  bool isPlane() const override { return false; }
+  bool has(ChartKind kind) const override { return plane_.has(kind); }
+  std::unique_ptr<AF2LocalTransformMaker> makeCharts(ChartKind kind) const override {
+    return plane_.makeCharts(kind);
+  }
+  SurfacePoint at(double u, double v) const override { return plane_.at(u, v); }
+
+ private:
+  FlatSurface plane_{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+};
+
 /// What the task says beyond the boundary and the sizes.
 struct Given {
   double area = 16, expectedElements = 1;
@@ -27,8 +41,7 @@ struct Given {
 };
 
 /// Fills the square, divided into segments of half a unit.
-FaceAttempt attempt(const SizeField& size, const Given& given) {
-  const FlatSurface surface({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+FaceAttempt attempt(const ChartedSurface& surface, const SizeField& size, const Given& given) {
   FaceBoundary boundary;
   testing::addLoop(boundary.input, testing::divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0.5));
   const AF2Algorithm algorithm(testing::triangleSet());
@@ -43,6 +56,10 @@ FaceAttempt attempt(const SizeField& size, const Given& given) {
                       algorithm, options,         false, limits,     silent,
                       makeTools, given.knowsSizes};
   return attemptWith(task, chartKinds().front(), FrontOptions{}.stallSteps);
+}
+
+FaceAttempt attempt(const SizeField& size, const Given& given) {
+  return attempt(FlatSurface({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), size, given);
 }
 
 TEST(ChartWay, GoesOnWhileAFrontMakesWhatIsExpected) {
@@ -76,6 +93,19 @@ TEST(ChartWay, EndsAFrontOfAFaceOfUnknownAreaByTheElementsThatItMayHave) {
             FillFaultKind::None);
   EXPECT_EQ(attempt(SizeFunction(fineInside), {.area = 0}).fault.kind,
             FillFaultKind::TooManyElements);
+}
+
+TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
+  const UniformSize fine(0.05);
+  const FaceAttempt whole = attempt(UnknownPlane(), fine, {.area = 13});
+  EXPECT_TRUE(whole.fault.isNone()) << textOf(whole.fault);
+  const FaceAttempt ended = attempt(UnknownPlane(), fine, {.area = 5});
+  EXPECT_EQ(ended.fault.kind, FillFaultKind::TooMuchArea);
+  EXPECT_LT(ended.result.mesh.elements.size(), 0.7 * whole.result.mesh.elements.size());
+  // Planes cannot overlap themselves, and faces of unknown area cannot be compared.
+  EXPECT_TRUE(attempt(fine, {.area = 5}).fault.isNone());
+  EXPECT_TRUE(
+      attempt(UnknownPlane(), fine, {.area = 0, .expectedElements = 20'000}).fault.isNone());
 }
 
 TEST(ChartWay, EndsAFrontThatExaminesMoreCandidatesThanItMay) {
