@@ -96,16 +96,16 @@ TEST(ChartWay, EndsAFrontOfAFaceOfUnknownAreaByTheElementsThatItMayHave) {
 }
 
 TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
-  const UniformSize fine(0.05);
-  const FaceAttempt whole = attempt(UnknownPlane(), fine, {.area = 13});
+  const SizeFunction fine(fineInside);
+  const auto of = [](double area) { return Given{.area = area, .expectedElements = 20'000}; };
+  const FaceAttempt whole = attempt(UnknownPlane(), fine, of(13));
   EXPECT_TRUE(whole.fault.isNone()) << textOf(whole.fault);
-  const FaceAttempt ended = attempt(UnknownPlane(), fine, {.area = 5});
+  const FaceAttempt ended = attempt(UnknownPlane(), fine, of(5));
   EXPECT_EQ(ended.fault.kind, FillFaultKind::TooMuchArea);
-  EXPECT_LT(ended.result.mesh.elements.size(), 0.7 * whole.result.mesh.elements.size());
+  EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
   // Planes cannot overlap themselves, and faces of unknown area cannot be compared.
-  EXPECT_TRUE(attempt(fine, {.area = 5}).fault.isNone());
-  EXPECT_TRUE(
-      attempt(UnknownPlane(), fine, {.area = 0, .expectedElements = 20'000}).fault.isNone());
+  EXPECT_TRUE(attempt(fine, of(5)).fault.isNone());
+  EXPECT_TRUE(attempt(UnknownPlane(), fine, of(0)).fault.isNone());
 }
 
 TEST(ChartWay, EndsAFrontThatExaminesMoreCandidatesThanItMay) {
