@@ -1,5 +1,6 @@
 #include "geometry/occ/read/crossed_faces.h"
 
+#include <Adaptor3d_HSurfaceTool.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -9,11 +10,15 @@
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_BoundSortBox.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <Geom_Line.hxx>
 #include <IntCurveSurface_HInter.hxx>
+#include <IntCurveSurface_ThePolygonOfHInter.hxx>
+#include <IntCurveSurface_ThePolyhedronOfHInter.hxx>
+#include <IntCurveSurface_ThePolyhedronToolOfHInter.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
@@ -73,6 +78,36 @@ std::vector<Chord> chordsOf(const TopoDS_Face& face) {
   return chords;
 }
 
+/// A surface as a polyhedron with the boxes of its triangles, made once. OpenCASCADE makes one for
+/// each line that it intersects with a surface.
+class Drawn {
+ public:
+  explicit Drawn(const Handle(BRepAdaptor_Surface) & surface)
+      : surface_(surface),
+        polyhedron_(surface, stepsOf(Adaptor3d_HSurfaceTool::NbSamplesU(surface)),
+                    stepsOf(Adaptor3d_HSurfaceTool::NbSamplesV(surface)),
+                    surface->FirstUParameter(), surface->FirstVParameter(),
+                    surface->LastUParameter(), surface->LastVParameter()) {
+    boxes_.Initialize(IntCurveSurface_ThePolyhedronToolOfHInter::Bounding(polyhedron_),
+                      IntCurveSurface_ThePolyhedronToolOfHInter::ComponentsBounding(polyhedron_));
+  }
+
+  void intersect(const Handle(GeomAdaptor_Curve) & curve, IntCurveSurface_HInter& meets) {
+    meets.Perform(curve, IntCurveSurface_ThePolygonOfHInter(curve, 2), surface_, polyhedron_,
+                  boxes_);
+  }
+
+ private:
+  static int stepsOf(int samples) {
+    constexpr int kMost = 40;
+    return std::min(samples, kMost);
+  }
+
+  Handle(BRepAdaptor_Surface) surface_;
+  IntCurveSurface_ThePolyhedronOfHInter polyhedron_;
+  Bnd_BoundSortBox boxes_;
+};
+
 /// Counts what passes through a face, but for what may only touch it at its boundary.
 ///
 /// IntCurvesFace_Intersector is not used, because it fails next to edges without a curve, such as
@@ -94,7 +129,7 @@ class Crossed {
       if (length < kTolerance) continue;
       const Handle(Geom_Line) line = new Geom_Line(from, gp_Vec(from, to));
       IntCurveSurface_HInter meets;
-      meets.Perform(new GeomAdaptor_Curve(line, 0, length), surface_);
+      intersect(new GeomAdaptor_Curve(line, 0, length), meets);
       for (int i = 1; meets.IsDone() && i <= meets.NbPoints(); ++i)
         count += isInside(meets.Point(i)) ? 1 : 0;
     }
@@ -103,6 +138,12 @@ class Crossed {
 
  private:
   static constexpr double kMargin = 0.02;  // of the extent of the face
+
+  void intersect(const Handle(GeomAdaptor_Curve) & curve, IntCurveSurface_HInter& meets) {
+    if (surface_->GetType() < GeomAbs_BezierSurface) return meets.Perform(curve, surface_);
+    if (!drawn_) drawn_.emplace(surface_);
+    drawn_->intersect(curve, meets);
+  }
 
   bool isInside(const IntCurveSurface_IntersectionPoint& point) const {
     if (within_.Perform({point.U(), point.V()}) != TopAbs_IN) return false;
@@ -115,6 +156,7 @@ class Crossed {
   Handle(BRepAdaptor_Surface) surface_;
   BRepTopAdaptor_FClass2d within_;
   double margin_;
+  std::optional<Drawn> drawn_;  ///< of a surface that is not elementary
 };
 
 /// The faces of a shell, with what is asked of them again and again.
