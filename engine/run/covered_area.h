@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/mesh/mesh.h"
+#include "engine/mesh/element_area.h"
 
 namespace af2 {
 
@@ -24,15 +24,6 @@ class CoveredArea {
   }
 
  private:
-  static double areaOf(const Mesh& mesh, const Element& element) {
-    const auto corners = element.vertices();
-    const auto at = [&](std::size_t i) { return mesh.vertices[corners[i].value].position; };
-    const Point3 diagonal = at(2) - at(0);
-    Point3 twice = cross(at(1) - at(0), diagonal);
-    if (element.isQuad()) twice = twice + cross(diagonal, at(3) - at(0));
-    return length(twice) / 2;
-  }
-
   double unit_, area_ = 0;
   std::size_t measured_ = 0;
 };

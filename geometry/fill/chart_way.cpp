@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "engine/mesh/mesh_check.h"
 #include "geometry/charts/laid_out.h"
 #include "geometry/check/model_check.h"
+#include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/fill_limits.h"
 #include "geometry/fill/stuck_front.h"
 #include "geometry/fill/without_normals.h"
@@ -209,9 +211,8 @@ FaceAttempt inParametersWithoutNormals(const FaceTask& task, ChartKind,
   return attempt;
 }
 
-/// How many elements a stopped front made, how many the sizes let expect, and which rules made
-/// most.
-std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
+/// The rules that made most elements of a front, with their shares.
+std::string mostActiveRules(const FaceTask& task, const Mesh& mesh) {
   constexpr std::size_t kMaxNamed = 3;
   const auto& rules = task.algorithm.rules().rules();
   std::vector<std::pair<std::size_t, std::size_t>> made(rules.size());  // count, rule
@@ -223,12 +224,24 @@ std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
     if (count == 0) break;
     const auto share =
         std::lround(100 * static_cast<double>(count) / static_cast<double>(mesh.elements.size()));
-    names += (names.empty() ? "" : ", ") + ("'" + rules[rule].name() + "' (") +
+    names += (names.empty() ? ", most by '" : ", '") + rules[rule].name() + "' (" +
              std::to_string(share) + " %)";
   }
+  return names;
+}
+
+/// How many elements a stopped front made, and how many the sizes let expect.
+std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
   const double expected = std::clamp(expectedElements(task), 1.0, kMaxElements);
   return std::to_string(mesh.elements.size()) + " elements were made where the sizes let expect " +
-         std::to_string(std::lround(expected)) + (names.empty() ? "" : ", most by ") + names;
+         std::to_string(std::lround(expected)) + mostActiveRules(task, mesh);
+}
+
+std::string areaOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
+  char ratio[32];
+  std::snprintf(ratio, sizeof ratio, "%.2f", areaOfElements(mesh) / task.area);
+  return std::to_string(mesh.elements.size()) + " elements have " + ratio +
+         " times the area of the face" + mostActiveRules(task, mesh);
 }
 
 /// 0 where elements cannot overlap, or where their area in the front is not that on the surface.
@@ -260,7 +273,7 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   attempt.isDrawnInParameters = chart.canCloseInParameters;
   attempt.searchCost = attempt.result.candidates;
   if (guard.overlaps())
-    attempt.fault = {FillFaultKind::TooMuchArea, elementsOfStoppedFront(task, attempt.result.mesh)};
+    attempt.fault = {FillFaultKind::TooMuchArea, areaOfStoppedFront(task, attempt.result.mesh)};
   else if (guard.ranAway())
     attempt.fault = {FillFaultKind::TooManyElements,
                      elementsOfStoppedFront(task, attempt.result.mesh)};

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "engine/mesh/element_area.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "geometry/base/constants.h"
@@ -260,17 +261,6 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, con
   const bool isWorthIt = found.isBad || poor * kElementsForOnePoor >= mesh.elements.size();
   if (!isWorthIt) found = {{}, 0, false, found.hasBadAngle};
   diagnosis = std::move(found);
-}
-
-double areaOf(const Mesh& mesh, const Element& element) {
-  const auto c = element.vertices();
-  const auto at = [&](std::size_t i) -> const Point3& {
-    return mesh.vertices[c[i].value].position;
-  };
-  Point3 sum;
-  for (std::size_t i = 1; i + 1 < c.size(); ++i)
-    sum = sum + cross(at(i) - at(0), at(i + 1) - at(0));
-  return length(sum) / 2;
 }
 
 void addElements(const Mesh& mesh, double share, const IsLeast& isLeast,

@@ -18,7 +18,9 @@ std::string textOf(const FillFault& fault) {
              "; either the rules let elements overlap (see 'af2 check'), or the boundary does not "
              "enclose a region";
     case FillFaultKind::TooMuchArea:
-      return "elements overlap, they have far more area than the face: " + fault.details;
+      return "elements overlap: " + fault.details +
+             "; either the rules let them (see 'af2 check'), or these charts do not fit the "
+             "surface";
     case FillFaultKind::TooManyCandidates:
       return "the front examined too many candidates, so it was stopped: " + fault.details;
     case FillFaultKind::FoldedInParameters:

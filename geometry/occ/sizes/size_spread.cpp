@@ -10,7 +10,6 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "engine/base/constants.h"
@@ -286,46 +285,49 @@ class UnevennessProbe {
   int compared_ = 0, uneven_ = 0;
 };
 
-std::vector<SizeSource> sampled(const ModelShape& model, int face, const CadSizes& sizes,
-                                bool areAll) {
+struct SampledFace {
+  std::vector<SizeSource> sources;
+  bool isTooRough = false;
+};
+
+SampledFace sampled(const ModelShape& model, int face, const CadSizes& sizes, bool areAll) {
   try {
-    return FaceSampler(model, face, sizes).sources(areAll);
+    FaceSampler sampler(model, face, sizes);
+    std::vector<SizeSource> sources = sampler.sources(areAll);
+    return {std::move(sources), sampler.isTooRough()};
   } catch (const GeometryError&) {  // reported when the face is meshed
   } catch (const Standard_Failure&) {
   }
   return {};
 }
 
-std::vector<SizeSource> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
-                                    const CadSizes& sizes, int threads,
-                                    const std::stop_token& stop) {
-  std::vector<std::vector<SizeSource>> byFace(faces.size());
+std::vector<SampledFace> sampleFaces(const ModelShape& model, const std::vector<int>& faces,
+                                     const CadSizes& sizes, int threads,
+                                     const std::stop_token& stop) {
+  std::vector<SampledFace> byFace(faces.size());
   forEachInParallel(byFace.size(), threads, [&](std::size_t i) {
     if (!stop.stop_requested()) byFace[i] = sampled(model, faces[i], sizes, false);
   });
-  std::vector<SizeSource> all;
-  for (const auto& sources : byFace) all.insert(all.end(), sources.begin(), sources.end());
-  return all;
+  return byFace;
 }
 
-/// The faces on which sizes change so fast that they cannot be sampled.
-std::set<int> roughFacesOf(const ModelShape& model, const std::vector<int>& faces,
-                           const CadSizes& sizes, int threads, const std::stop_token& stop) {
-  std::vector<std::uint8_t> isRough(faces.size(), 0);
-  forEachInParallel(faces.size(), threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    try {
-      FaceSampler sampler(model, faces[i], sizes);
-      sampler.sources(false);
-      isRough[i] = sampler.isTooRough();
-    } catch (const GeometryError&) {  // reported when the face is meshed
-    } catch (const Standard_Failure&) {
-    }
-  });
-  std::set<int> rough;
+/// Takes note of the faces on which sizes change so fast that they cannot be sampled, and samples
+/// these once more.
+std::vector<SizeSource> sourcesInside(const ModelShape& model, const std::vector<int>& faces,
+                                      CadSizes& sizes, int threads, const std::stop_token& stop) {
+  std::vector<SampledFace> byFace = sampleFaces(model, faces, sizes, threads, stop);
+  std::vector<std::size_t> rough;
   for (std::size_t i = 0; i < faces.size(); ++i)
-    if (isRough[i]) rough.insert(faces[i]);
-  return rough;
+    if (byFace[i].isTooRough) rough.push_back(i);
+  std::vector<int> again;
+  for (const std::size_t i : rough) again.push_back(faces[i]);
+  sizes.roughFaces.insert(again.begin(), again.end());
+  std::vector<SampledFace> anew = sampleFaces(model, again, sizes, threads, stop);
+  for (std::size_t k = 0; k < rough.size(); ++k) byFace[rough[k]] = std::move(anew[k]);
+  std::vector<SizeSource> all;
+  for (const SampledFace& face : byFace)
+    all.insert(all.end(), face.sources.begin(), face.sources.end());
+  return all;
 }
 
 /// Whether sizes inside all faces are to be known outside them.
@@ -364,7 +366,7 @@ std::vector<int> allFaces(const ModelShape& model) {
 }  // namespace
 
 std::vector<SizeSource> sizesInside(const ModelShape& model, int face, const CadSizes& sizes) {
-  return sampled(model, face, sizes, true);
+  return sampled(model, face, sizes, true).sources;
 }
 
 std::vector<int> unevenFaces(const ModelShape& model, const CadSizes& sizes, int threads,
@@ -387,11 +389,10 @@ std::vector<int> unevenFaces(const ModelShape& model, const CadSizes& sizes, int
 CadSizes spreadSizes(const ModelShape& model, CadSizes sizes, const std::vector<int>& uneven,
                      int threads, const std::stop_token& stop) {
   setTurns(sizes);
-  sizes.roughFaces.merge(roughFacesOf(model, uneven, sizes, threads, stop));
   SizeSources asked = std::exchange(sizes.sources, {}), inside;
   for (SizeSource& point : asked.points) point.size = bounded(sizes, point.size);
   inside.points =
-      sampleFaces(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
+      sourcesInside(model, spreadsAll(sizes) ? allFaces(model) : uneven, sizes, threads, stop);
   limitBySources(std::move(asked), sizes.growth, threads, sizes);
   limitBySources(std::move(inside), growthInside(sizes), threads, sizes);
   return sizes;

@@ -102,6 +102,9 @@ TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
   EXPECT_TRUE(whole.fault.isNone()) << textOf(whole.fault);
   const FaceAttempt ended = attempt(UnknownPlane(), fine, of(5));
   EXPECT_EQ(ended.fault.kind, FillFaultKind::TooMuchArea);
+  const std::string reason = textOf(ended.fault);
+  EXPECT_NE(reason.find(" times the area of the face, most by 'free triangle"), std::string::npos)
+      << reason;
   EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
   // Planes cannot overlap themselves, and faces of unknown area cannot be compared.
   EXPECT_TRUE(attempt(fine, of(5)).fault.isNone());
