@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "engine/base/error.h"
 
@@ -23,7 +22,15 @@ std::string contentOf(const std::filesystem::path& path) {
     throw InputError(path.string() + ": is a folder, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path.string() + ": cannot be opened; check that it exists");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  constexpr std::size_t kBlock = 1 << 20;
+  std::string content;
+  while (stream) {
+    const std::size_t before = content.size();
+    content.resize(before + kBlock);
+    stream.read(content.data() + before, kBlock);
+    content.resize(before + static_cast<std::size_t>(stream.gcount()));
+  }
+  return content;
 }
 
 std::vector<std::string_view> wordsIn(std::string_view text, std::string_view blanks) {

@@ -19,6 +19,7 @@
 #include "geometry/occ/model/turned_faces.h"
 #include "geometry/occ/read/reader_setting.h"
 #include "geometry/occ/read/readers.h"
+#include "geometry/occ/step/block_lexer.h"
 #include "geometry/occ/step/damaged_entities.h"
 #include "geometry/occ/step/external_parts.h"
 #include "geometry/occ/step/lost_step_faces.h"
@@ -107,6 +108,7 @@ void tell(const ExternalParts& parts, const std::filesystem::path& path,
 }
 
 IFSelect_ReturnStatus readInto(STEPControl_Reader& reader, const std::filesystem::path& path) {
+  giveLexerBlocks();
   const std::optional<std::string> mended = withOmittedNames(path);
   if (!mended) return reader.ReadFile(path.c_str());
   std::istringstream text(*mended);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <string_view>
+
+#include "geometry/base/words.h"
 
 namespace af2::geometry {
 
@@ -72,8 +72,7 @@ class UnusableNumbers {
 }  // namespace
 
 std::map<int, std::string> unusableNumbersOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = contentOf(path);
   return UnusableNumbers(text).find();
 }
 

@@ -1,9 +1,9 @@
 #include "geometry/occ/step/step_omissions.h"
 
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <string_view>
+
+#include "geometry/base/words.h"
 
 namespace af2::geometry {
 
@@ -30,11 +30,19 @@ std::optional<std::size_t> omittedAt(std::string_view text, std::size_t at) {
   return open + 1;
 }
 
+/// Or something in a string looks like it.
+bool mayOmitNames(std::string_view text) {
+  for (std::size_t at = text.find(kNamed); at != std::string_view::npos;
+       at = text.find(kNamed, at + 1))
+    if (omittedAt(text, at)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::string> withOmittedNames(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = contentOf(path);
+  if (!mayOmitNames(text)) return std::nullopt;
   std::string mended;
   std::size_t copied = 0;
   bool isInString = false;
