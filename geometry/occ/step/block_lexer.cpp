@@ -14,7 +14,7 @@ namespace af2::geometry {
 
 namespace {
 
-#ifdef RTLD_DL_SYMENT
+#ifdef __GLIBC__
 /// Puts at most so many characters into a buffer; returns their number, 0 at the end, or less than
 /// 0 after an error.
 using Input = int (*)(void* lexer, char* buffer, int most);
