@@ -32,18 +32,17 @@ constexpr double kAreaUnits = 1 << 20;
 class RunawayGuard {
  public:
   /// margin  how many times more elements than are expected the limit allows
-  RunawayGuard(std::size_t limit, double margin, std::size_t maxCandidates,
-               const std::stop_token& outer)
-      : limit_(limit),
-        maxCandidates_(std::min(maxCandidates, candidatesFor(limit, margin))),
-        forward_(outer, Forward{&source_}) {}
+  RunawayGuard(const FaceTask& task, std::size_t limit, double margin)
+      : task_(task),
+        limit_(limit),
+        maxCandidates_(std::min(task.limits.maxCandidates, candidatesFor(limit, margin))),
+        forward_(task.options.stop, Forward{&source_}) {}
 
   std::stop_token token() const { return source_.get_token(); }
   void see(const Progress& progress) {
     ranAway_ = ranAway_ || progress.elements > limit_;
     isCrammed_ = isCrammed_ || progress.candidates > maxCandidates_;
-    const double covered = static_cast<double>(progress.area) / kAreaUnits;
-    overlaps_ = overlaps_ || (covered > 1 && isWrongArea(covered, progress.elements));
+    overlaps_ = overlaps_ || haveTooMuchArea(progress);
     if (ranAway_ || isCrammed_ || overlaps_) source_.request_stop();
   }
   bool ranAway() const { return ranAway_; }
@@ -55,10 +54,18 @@ class RunawayGuard {
     std::stop_source* source;
     void operator()() const { source->request_stop(); }
   };
+  /// As the check of the complete face will find.
+  bool haveTooMuchArea(const Progress& progress) const {
+    if (progress.area == 0) return false;
+    const double made = static_cast<double>(progress.area) / kAreaUnits * task_.area;
+    const double ratio = (made + task_.areaBeside) / (task_.area + task_.areaBeside);
+    return ratio > 1 && isWrongArea(ratio, progress.elements);
+  }
   static std::size_t candidatesFor(std::size_t limit, double margin) {
     return static_cast<std::size_t>(margin * kCandidatesPerElement * static_cast<double>(limit));
   }
 
+  const FaceTask& task_;
   std::size_t limit_, maxCandidates_;
   bool ranAway_ = false, isCrammed_ = false, overlaps_ = false;
   std::stop_source source_;
@@ -255,8 +262,7 @@ double areaUnitOf(const FaceTask& task, const ChartTraits& chart) {
 /// stallLimit  FrontOptions::stallSteps
 template <class Run>
 FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLimit, Run&& run) {
-  RunawayGuard guard(elementLimit(task), marginOf(task), task.limits.maxCandidates,
-                     task.options.stop);
+  RunawayGuard guard(task, elementLimit(task), marginOf(task));
   FrontOptions options;
   options.stallSteps = stallLimit;
   options.stallCandidates = kStallCandidates;

@@ -57,7 +57,7 @@ struct FaceTask {
   const ChartedSurface& surface;
   const FaceBoundary& boundary;
   const SizeField& size;
-  double area = 0;  ///< of the face; 0: unknown
+  double area = 0;  ///< to be filled; 0: unknown
   /// The number expected from the sizes inside; an upper bound if the area of the face is unknown.
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
@@ -72,6 +72,7 @@ struct FaceTask {
   /// Whether the expected number of elements takes all sizes inside into account: then a front that
   /// makes twice as many overlaps itself.
   bool knowsSizes = false;
+  double areaBeside = 0;  ///< of what else the face gets: fans and layers
 };
 
 /// Goes through the table of ways (fill_ways.cpp) from the top.

@@ -180,7 +180,9 @@ class FaceMesher {
                         context_.mayBeFineInside,
                         request.limits,
                         request.progress,
-                        tools};
+                        tools,
+                        false,
+                        ready};
     const UngradedSize ungraded(size);
     FaceFilling filling{task, ungraded, kUnseen * wantedOnFace(context_.sizes, face_),
                         request.findMiddles};

@@ -38,6 +38,7 @@ struct Given {
   double area = 16, expectedElements = 1;
   bool knowsSizes = false;
   std::size_t maxCandidates = kAnyNumber;
+  double areaBeside = 0;
 };
 
 /// Fills the square, divided into segments of half a unit.
@@ -52,9 +53,9 @@ FaceAttempt attempt(const ChartedSurface& surface, const SizeField& size, const 
     return PieceTools{surface.makeCharts(kind), {&size, [](const SizeField*) {}}};
   };
   const TryLimits limits{.maxCandidates = given.maxCandidates};
-  const FaceTask task{surface,   boundary,        size,  given.area, given.expectedElements,
-                      algorithm, options,         false, limits,     silent,
-                      makeTools, given.knowsSizes};
+  const FaceTask task{
+      surface, boundary, size,   given.area, given.expectedElements, algorithm,       options,
+      false,   limits,   silent, makeTools,  given.knowsSizes,       given.areaBeside};
   return attemptWith(task, chartKinds().front(), FrontOptions{}.stallSteps);
 }
 
@@ -106,6 +107,11 @@ TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
   EXPECT_NE(reason.find(" times the area of the face, most by 'free triangle"), std::string::npos)
       << reason;
   EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
+  // Fans and layers beside it count on both sides.
+  EXPECT_TRUE(
+      attempt(UnknownPlane(), fine, {.area = 10, .expectedElements = 20'000, .areaBeside = 6})
+          .fault.isNone());
+  EXPECT_FALSE(attempt(UnknownPlane(), fine, of(10)).fault.isNone());
   // Planes cannot overlap themselves, and faces of unknown area cannot be compared.
   EXPECT_TRUE(attempt(fine, of(5)).fault.isNone());
   EXPECT_TRUE(attempt(UnknownPlane(), fine, of(0)).fault.isNone());
