@@ -225,10 +225,12 @@ TEST(DifficultFaces, ACornerThatTurnsOverIsMeshedWithElementsThatLean) {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, 1e-6);
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(face, properties);
-  const ModelMesh result = mesh(face, 1);
-  expectComplete(result, properties.Mass());
-  ASSERT_FALSE(result.faces[0].attempts.empty());
-  EXPECT_EQ(result.faces[0].attempts.back(), "elements that tilt against the surface");
+  for (const double size : {0.5, 0.9}) {
+    const ModelMesh result = mesh(face, size);
+    expectComplete(result, properties.Mass());
+    ASSERT_FALSE(result.faces[0].attempts.empty());
+    EXPECT_EQ(result.faces[0].attempts.back(), "elements that tilt against the surface") << size;
+  }
 }
 
 /// Most of a turn of a trumpet: its narrow end is one point, a corner of the face, from which the
