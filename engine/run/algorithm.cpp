@@ -318,7 +318,14 @@ class Run {
     for (std::size_t i = 0; i < front_.capacity(); ++i)
       if (front_.isUsed(PlaceId(i)) && front_.isIsolated(PlaceId(i)))
         result_.unused.push_back(front_[PlaceId(i)].vertex);
-    if (result_.outcome == Outcome::Cancelled) return;
+    if (result_.outcome == Outcome::Cancelled) {
+      forEachEdge([&](PlaceId id) {
+        const Place& from = front_[id];
+        if (from.level > 1)
+          result_.stuck.push_back({from.vertex, front_[from.next].vertex, from.level, {}, {}});
+      });
+      return;
+    }
     if (front_.isEmpty() && result_.unused.empty()) return;
     result_.outcome = Outcome::Stuck;
     forEachEdge([&](PlaceId id) { result_.stuck.push_back(stuckEdge(id)); });

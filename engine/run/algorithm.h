@@ -50,7 +50,8 @@ struct StuckEdge {
 struct MeshingResult {
   Outcome outcome = Outcome::Complete;
   Mesh mesh;                     ///< the input's vertices with their ids, then the new vertices
-  std::vector<StuckEdge> stuck;  ///< the remaining front edges, if the run got stuck
+  std::vector<StuckEdge> stuck;  ///< what is left of a front that got stuck, or was refused in one
+                                 ///< that was stopped
   std::vector<VertexId> unused;  ///< isolated vertices that no element uses
   std::size_t steps = 0, failedSteps = 0;
   FrontActCounts acts;

@@ -278,6 +278,8 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   attempt.chart = chart.kind;
   attempt.isDrawnInParameters = chart.canCloseInParameters;
   attempt.searchCost = attempt.result.candidates;
+  if (attempt.result.outcome == Outcome::Cancelled && !guard.overlaps())
+    attempt.result.stuck.clear();
   if (guard.overlaps())
     attempt.fault = {FillFaultKind::TooMuchArea, areaOfStoppedFront(task, attempt.result.mesh)};
   else if (guard.ranAway())

@@ -306,9 +306,12 @@ FaceDiagnosis diagnoseFailure(const ChartedSurface& surface, const FaceBoundary&
   diagnosis.isBad = true;
   const MeshBoundary kept = boundaryOf(boundary.input);
   for (const MeshingResult& result : results) {
-    addStuck(result, diagnosis.places);
+    if (result.outcome == Outcome::Stuck) addStuck(result, diagnosis.places);
     addFaults(result, kept, diagnosis.places);
   }
+  // Fronts that were stopped tell less: where edges had been refused until then.
+  if (diagnosis.places.empty())
+    for (const MeshingResult& result : results) addStuck(result, diagnosis.places);
   addCrossings(surface, boundary, diagnosis.places);
   return diagnosis;
 }

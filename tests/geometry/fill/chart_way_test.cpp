@@ -72,6 +72,7 @@ TEST(ChartWay, GoesOnWhileAFrontMakesWhatIsExpected) {
 TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanItsBoundaryLetsExpect) {
   const FaceAttempt ended = attempt(SizeFunction(fineInside), {});
   EXPECT_EQ(ended.fault.kind, FillFaultKind::TooManyElements);
+  EXPECT_TRUE(ended.result.stuck.empty());
   const std::string reason = textOf(ended.fault);
   EXPECT_NE(reason.find(std::to_string(ended.result.mesh.elements.size()) + " elements were made"),
             std::string::npos)
@@ -107,6 +108,8 @@ TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
   EXPECT_NE(reason.find(" times the area of the face, most by 'free triangle"), std::string::npos)
       << reason;
   EXPECT_LT(2 * ended.result.mesh.elements.size(), whole.result.mesh.elements.size());
+  ASSERT_FALSE(ended.result.stuck.empty());
+  for (const StuckEdge& edge : ended.result.stuck) EXPECT_GT(edge.level, 1);
   // Fans and layers beside it count on both sides.
   EXPECT_TRUE(
       attempt(UnknownPlane(), fine, {.area = 10, .expectedElements = 20'000, .areaBeside = 6})
