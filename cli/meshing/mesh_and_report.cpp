@@ -148,7 +148,7 @@ int meshAndReport(const MeshRequest& request, const RunWatch& watch) {
   // Writing files and measuring quality run in parallel, unless each would load faces from disk.
   const auto write = [&] { writeOutputs(request, *loaded.rules, mesh, files); };
   const auto measure = [&] {
-    // It takes a tenth as long as everything else does for a large mesh.
+    // Only where it is told, since it takes long for a large mesh.
     if (!request.quiet || !request.report.empty()) report.quality = measureQuality(mesh, 0);
   };
   geometry::withThreads(request.options.threads, [&] {

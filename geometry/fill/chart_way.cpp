@@ -25,6 +25,13 @@ namespace {
 /// Units of the area of a face, in which that of its elements is measured.
 constexpr double kAreaUnits = 1 << 20;
 
+/// Of all that the face gets to that of the face.
+///
+/// made  area of the elements that the front has made
+double ratioOfAreas(const FaceTask& task, double made) {
+  return (made + task.areaBeside) / (task.area + task.areaBeside);
+}
+
 /// Stops a run that no longer fills a region but grows without end, because the boundary does not
 /// enclose one; whose elements overlap; or whose front is so crammed that no end is in sight.
 /// Depends on what all pieces of a face have done, never on the clock or on which of them came
@@ -57,8 +64,8 @@ class RunawayGuard {
   /// As the check of the complete face will find.
   bool haveTooMuchArea(const Progress& progress) const {
     if (progress.area == 0) return false;
-    const double made = static_cast<double>(progress.area) / kAreaUnits * task_.area;
-    const double ratio = (made + task_.areaBeside) / (task_.area + task_.areaBeside);
+    const double ratio =
+        ratioOfAreas(task_, static_cast<double>(progress.area) / kAreaUnits * task_.area);
     return ratio > 1 && isWrongArea(ratio, progress.elements);
   }
   static std::size_t candidatesFor(std::size_t limit, double margin) {
@@ -246,7 +253,7 @@ std::string elementsOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
 
 std::string areaOfStoppedFront(const FaceTask& task, const Mesh& mesh) {
   char ratio[32];
-  std::snprintf(ratio, sizeof ratio, "%.2f", areaOfElements(mesh) / task.area);
+  std::snprintf(ratio, sizeof ratio, "%.2f", ratioOfAreas(task, areaOfElements(mesh)));
   return std::to_string(mesh.elements.size()) + " elements have " + ratio +
          " times the area of the face" + mostActiveRules(task, mesh);
 }
@@ -278,6 +285,7 @@ FaceAttempt guarded(const FaceTask& task, const ChartTraits& chart, int stallLim
   attempt.chart = chart.kind;
   attempt.isDrawnInParameters = chart.canCloseInParameters;
   attempt.searchCost = attempt.result.candidates;
+  // What was refused says where to begin only if the front would have gone on in vain.
   if (attempt.result.outcome == Outcome::Cancelled && !guard.overlaps())
     attempt.result.stuck.clear();
   if (guard.overlaps())

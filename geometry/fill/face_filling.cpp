@@ -152,7 +152,8 @@ std::vector<double> wantedSizes(const FaceFilling& filling, const Mesh& mesh) {
 
 [[noreturn]] void giveUp(const FaceFilling& filling, const FilledFace& filled, FaceMesh& mesh) {
   mesh.diagnosis = diagnoseFailure(filling.task.surface, filling.task.boundary, filled.failures);
-  if (!filled.failures.empty()) mesh.report.stuck = stuckPlaces(filled.failures.front());
+  const auto first = std::ranges::find(filled.failures, Outcome::Stuck, &MeshingResult::outcome);
+  if (first != filled.failures.end()) mesh.report.stuck = stuckPlaces(*first);
   if (filling.findParameters) filling.findParameters(mesh.report.stuck);
   throw GeometryError(textOfCrossedBoundary(filling.task.surface, filling.task.boundary.input) +
                       textOf(filled.attempt.fault));

@@ -4,8 +4,8 @@
 namespace af2::geometry {
 
 /// The lexer in OpenCASCADE's library was generated for people who type: it asks for one character
-/// at a time, and reads what it has of a word again after each, which takes two fifths of the time
-/// of reading a file. From now on it gets as many as it has room for, in the same way: by the
+/// at a time, and reads what it has of a word again after each (docs/performance.md says how long
+/// that takes). From now on it gets as many as it has room for, in the same way: by the
 /// function that gives it one. Does nothing where the library is not built as expected, which costs
 /// only time.
 ///
