@@ -7,7 +7,7 @@
 
 #include "cli/program/progress_bar.h"
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 namespace af2::cli {
 namespace {
@@ -74,8 +74,7 @@ SuiteResult runSuite(const Suite& suite, const std::array<ComparedRules, 2>& set
              fmt::format("{}/{} meshes", done, runs));
   };
   for (std::size_t number = 0; number < runs; ++number) run(number, true);
-  geometry::forEachInParallel(runs, control.isTimed ? 1 : 0,
-                              [&](std::size_t number) { run(number, false); });
+  forEachInParallel(runs, control.isTimed ? 1 : 0, [&](std::size_t number) { run(number, false); });
   return result;
 }
 

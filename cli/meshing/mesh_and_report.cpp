@@ -20,7 +20,7 @@
 #include "cli/rules/rule_loading.h"
 #include "cli/rules/rule_texts.h"
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/io/mesh_files.h"
 #include "geometry/mesh/element_scores.h"
 #include "geometry/mesh/quality.h"
@@ -151,12 +151,12 @@ int meshAndReport(const MeshRequest& request, const RunWatch& watch) {
     // Only where it is told, since it takes long for a large mesh.
     if (!request.quiet || !request.report.empty()) report.quality = measureQuality(mesh, 0);
   };
-  geometry::withThreads(request.options.threads, [&] {
+  withThreads(request.options.threads, [&] {
     if (mesh.spooled) {
       write();
       measure();
     } else {
-      geometry::forEachInParallel(2, 0, [&](std::size_t task) { task == 0 ? write() : measure(); });
+      forEachInParallel(2, 0, [&](std::size_t task) { task == 0 ? write() : measure(); });
     }
   });
   for (const std::string& fault : files.faults()) addReason(report, fault);

@@ -8,6 +8,7 @@
 #include "dsl/compile/standard_library.h"
 #include "dsl/program/builtins.h"
 #include "dsl/text/words.h"
+#include "engine/base/stream_text.h"
 
 namespace af2::dsl {
 
@@ -30,19 +31,7 @@ std::optional<std::string> readFile(const std::filesystem::path& path, std::stri
   return text;
 }
 
-std::string readRuleText(std::istream& in) {
-  constexpr std::size_t kMost = ParseLimits{}.bytes + 1;
-  std::string text;
-  // Most files are short: the memory grows with what there is to read.
-  for (std::size_t piece = 1 << 16; in && text.size() < kMost; piece *= 2) {
-    const std::size_t before = text.size();
-    text.resize(std::min(before + piece, kMost));
-    in.read(text.data() + before, static_cast<std::streamsize>(text.size() - before));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  text.shrink_to_fit();
-  return text;
-}
+std::string readRuleText(std::istream& in) { return restOf(in, ParseLimits{}.bytes + 1); }
 
 const Module& Library::load(std::string name, std::string text) {
   modules_.push_back(std::make_unique<Module>(SourceText(std::move(name), std::move(text))));

@@ -38,7 +38,7 @@ const Token* clauseBehind(const Token* brace) {
 void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
   constexpr int kMax =
       20;  // each requires a scan of the rest of the file, and more give no new information
-  std::vector<Token> kept;
+  std::vector<const Token*> early;
   int depth = 0, looked = 0;
   for (const Token& token : tokens) {
     const bool mayBeEarly = token.is("}") && depth == 1 && looked < kMax;
@@ -48,13 +48,14 @@ void leaveOutEarlyBraces(std::vector<Token>& tokens, SyntaxErrors& errors) {
       errors.tell(Code::UnexpectedText, token.span,
                   "this '}' comes too early: '" + clause->text + "' continues the block",
                   Help("delete it", {Remedy::Where::Whole, ""}));
+      early.push_back(&token);
       continue;
     }
     depth += token.is("{") - token.is("}");
     if (depth < 0) depth = 0;
-    kept.push_back(token);
   }
-  if (looked > 0) tokens = std::move(kept);
+  for (; !early.empty(); early.pop_back())
+    tokens.erase(tokens.begin() + (early.back() - tokens.data()));
 }
 
 }  // namespace af2::dsl

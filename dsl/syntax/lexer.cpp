@@ -1,5 +1,6 @@
 #include "dsl/syntax/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -23,6 +24,8 @@ class Lexer {
       : source_(source), text_(source.text()), diagnostics_(diagnostics) {}
 
   TokenList read(std::size_t most) {
+    constexpr std::size_t kBytesPerWord = 3;  // or more
+    result_.tokens.reserve(std::min(most, text_.size() / kBytesPerWord) + 2);
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
     if (isText())
       while (at_ < text_.size() && result_.tokens.size() <= most) readOne();

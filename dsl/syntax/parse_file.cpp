@@ -1,5 +1,7 @@
 // A file from its text to its tree: limits, words, version, items, documentation.
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "dsl/syntax/early_braces.h"
 #include "dsl/syntax/grammar.h"
@@ -45,9 +47,10 @@ const Token* tooDeepAt(const Token* first, const ParseLimits& limits, const char
 /// Leaves out statements that exceed the limits. Returns false if nothing can be read.
 bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, SyntaxErrors& errors) {
   constexpr const char* kHelp = "name parts of it with `let`, `const` or `def`";
-  std::vector<Token> kept;
+  std::vector<std::uint8_t> isLeftOut(tokens.size());
+  const Token* const first = tokens.data();
   int braces = 0;
-  for (const Token* t = tokens.data(); t < tokens.data() + tokens.size(); ++t) {
+  for (const Token* t = first; t < first + tokens.size(); ++t) {
     const char* fault = nullptr;
     const Token* at = tooDeepAt(t, limits, fault);
     const Token* end = t;
@@ -55,8 +58,8 @@ bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, Syn
     if (at) {
       errors.tell(Code::LimitExceeded, at->span, fault, kHelp);
       errors.leaveOut(t, end);
-    } else {
-      kept.insert(kept.end(), t, end);
+      std::fill(isLeftOut.begin() + (t - first), isLeftOut.begin() + (end - first), 1);
+      isLeftOut[static_cast<std::size_t>(end - first)] = end->is(";");
     }
     t = end;
     braces = std::max(0, braces + t->is("{") - t->is("}"));
@@ -64,9 +67,10 @@ bool keepWithinLimits(std::vector<Token>& tokens, const ParseLimits& limits, Syn
       errors.tell(Code::LimitExceeded, t->span, "brackets are nested too deep here", kHelp);
       return false;
     }
-    if (!at || !t->is(";")) kept.push_back(*t);
   }
-  tokens = std::move(kept);
+  std::erase_if(tokens, [&](const Token& token) {
+    return isLeftOut[static_cast<std::size_t>(&token - first)] != 0;
+  });
   return true;
 }
 

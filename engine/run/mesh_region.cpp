@@ -1,13 +1,9 @@
 #include "engine/run/mesh_region.h"
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 
+#include "engine/base/parallel.h"
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/optimize/finish_mesh.h"
@@ -143,21 +139,6 @@ class PieceJoiner {
   AlongCuts alongCuts_{{}, {0}};
 };
 
-/// Runs in the arena of the task. Work begins in order, so that what waits for its predecessors to
-/// be finished, such as pieces that are to be joined, is never much.
-void forEachInArena(const RegionTask& task, std::size_t count,
-                    const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto all = [&] {
-    tbb::parallel_for(
-        std::size_t{0}, count, [&](std::size_t) { work(next++); }, tbb::simple_partitioner());
-  };
-  if (task.threads > 0)
-    tbb::task_arena(task.threads).execute(all);
-  else
-    all();
-}
-
 /// goesOn  must be callable from several threads
 StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
                         const FrontOptions& options, const std::function<void()>& goesOn) {
@@ -173,7 +154,7 @@ StripTools stripToolsOf(const AF2Algorithm& algorithm, const RegionTask& task,
     finishMesh(mesh, boundary, {algorithm.rules(), *tools.charts, *tools.size}, how);
   };
   const auto forEach = [&task, observer](std::size_t count, const auto& work) {
-    if (!observer) return forEachInArena(task, count, work);
+    if (!observer) return forEachInParallel(count, task.threads, work);
     // One after the other: the observer must receive changes in order.
     for (std::size_t i = 0; i < count; ++i) work(i);
   };
@@ -204,8 +185,8 @@ class PieceMesher {
       for (std::size_t p = 0; p < pieces_.size(); ++p) finish(p);
     else if (task_.crew)
       return meshWithCrew();
-    else
-      forEachInArena(task_, pieces_.size(), finish);
+    else  // begun in order, so that pieces that wait for those before them to be joined are few
+      forEachInParallel(pieces_.size(), task_.threads, finish);
     return true;
   }
 

@@ -1,7 +1,7 @@
 #include "geometry/base/utf8.h"
 
+#include <array>
 #include <fstream>
-#include <vector>
 
 namespace af2::geometry {
 
@@ -30,7 +30,7 @@ bool isUtf8File(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return false;
   Utf8Check check;
-  std::vector<char> buffer(1 << 20);
+  std::array<char, 1 << 16> buffer;
   while (stream) {
     stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     check.take({buffer.data(), static_cast<std::size_t>(stream.gcount())});

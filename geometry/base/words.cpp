@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "engine/base/error.h"
+#include "engine/base/stream_text.h"
 
 namespace af2::geometry {
 namespace {
@@ -22,15 +23,7 @@ std::string contentOf(const std::filesystem::path& path) {
     throw InputError(path.string() + ": is a folder, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path.string() + ": cannot be opened; check that it exists");
-  constexpr std::size_t kBlock = 1 << 20;
-  std::string content;
-  while (stream) {
-    const std::size_t before = content.size();
-    content.resize(before + kBlock);
-    stream.read(content.data() + before, kBlock);
-    content.resize(before + static_cast<std::size_t>(stream.gcount()));
-  }
-  return content;
+  return restOf(stream);
 }
 
 std::vector<std::string_view> wordsIn(std::string_view text, std::string_view blanks) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 namespace af2::geometry {
 

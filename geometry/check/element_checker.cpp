@@ -5,8 +5,8 @@
 #include <atomic>
 #include <iterator>
 
+#include "engine/base/parallel.h"
 #include "engine/mesh/vertex_stars.h"
-#include "geometry/base/parallel.h"
 #include "geometry/mesh/vertex_blocks.h"
 
 namespace af2::geometry {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/drawn_part.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/parallel.h"
 #include "engine/base/place_text.h"
-#include "geometry/base/parallel.h"
 #include "geometry/mesh/unused_vertices.h"
 
 namespace af2::geometry {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <map>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/check/edge_checker.h"
 #include "geometry/check/element_checker.h"
 #include "geometry/check/spooled_crossings.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "engine/base/parallel.h"
 #include "geometry/base/nearest_on_segment.h"
-#include "geometry/base/parallel.h"
 
 namespace af2::geometry {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "geometry/base/constants.h"
-#include "geometry/base/parallel.h"
 #include "geometry/charts/layout_charts.h"
 #include "geometry/domain/domain_model.h"
 #include "geometry/faceted/compared_mesh.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "geometry/base/box_tree.h"
-#include "geometry/base/parallel.h"
 #include "geometry/faceted/nearest_in_triangle.h"
 
 namespace af2::geometry {

@@ -7,11 +7,11 @@
 #include <numeric>
 #include <optional>
 
+#include "engine/base/parallel.h"
 #include "engine/mesh/element_area.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/mesh_check.h"
 #include "geometry/base/constants.h"
-#include "geometry/base/parallel.h"
 #include "geometry/check/boundary_crossings.h"
 #include "geometry/check/model_check.h"
 #include "geometry/fill/fill_limits.h"

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "engine/base/stopwatch.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/finish_mesh.h"
 #include "geometry/base/constants.h"
-#include "geometry/base/parallel.h"
 #include "geometry/fill/crossed_boundary.h"
 #include "geometry/fill/diagnose_face.h"
 #include "geometry/fill/first_diagonals.h"

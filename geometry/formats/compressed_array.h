@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/base/zlib_bytes.h"
 #include "geometry/io/base64.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/spool/spooled_mesh.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 namespace af2::geometry {
 

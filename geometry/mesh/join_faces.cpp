@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/spool/spooled_mesh.h"
 
 namespace af2::geometry {

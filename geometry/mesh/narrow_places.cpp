@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
+#include "engine/base/parallel.h"
 #include "geometry/base/box_tree.h"
 #include "geometry/base/nearest_on_segment.h"
-#include "geometry/base/parallel.h"
 
 namespace af2::geometry {
 namespace {

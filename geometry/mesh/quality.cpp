@@ -8,7 +8,7 @@
 #include <ranges>
 #include <utility>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/mesh/mesh_sides.h"
 #include "geometry/spool/samples.h"
 #include "geometry/spool/spooled_mesh.h"

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/parallel.h"
 #include "engine/mesh/mesh.h"
-#include "geometry/base/parallel.h"
 
 namespace af2::geometry {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/edges/even_loops.h"
 #include "geometry/edges/facing_counts.h"
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "engine/base/place_text.h"
 #include "engine/base/stopwatch.h"
 #include "engine/step/rule_scoring.h"
 #include "geometry/base/free_memory.h"
-#include "geometry/base/parallel.h"
 #include "geometry/check/sound_faces.h"
 #include "geometry/fill/face_filling.h"
 #include "geometry/mesh/inside_out.h"

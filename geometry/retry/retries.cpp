@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/retry/mesh_again.h"
 #include "geometry/retry/protected_neighbors.h"
 #include "geometry/retry/remedy.h"

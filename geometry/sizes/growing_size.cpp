@@ -5,8 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "engine/base/parallel.h"
 #include "geometry/base/constants.h"
-#include "geometry/base/parallel.h"
 
 namespace af2::geometry {
 namespace {
@@ -26,21 +26,22 @@ std::size_t treeSize(std::size_t count) {
   return size;
 }
 
-/// Most sources of a leaf are too far away, which the squares of the distances tell.
-void lowerTo(const SizeSource& s, double growth, const Point3& position, double& least) {
-  const double left = least - s.size;
-  if (!(left > 0)) return;
-  const Point3 way = position - s.position;
-  const double squared = dot(way, way), reach = left / growth + s.radius;
-  if (squared > kMoreThanRounding * (reach * reach)) return;
-  least = std::min(least, s.size + growth * std::max(0.0, std::sqrt(squared) - s.radius));
+/// What is farther away than this gives no smaller size. Larger than it is by more than all
+/// rounding, so that the smallest size does not depend on what is looked at first.
+double squaredReach(double distance) { return kMoreThanRounding * (distance * distance); }
+
+/// The source that gave the last size in this thread: it is likely to give the next one as well, or
+/// a bound near to it. Any other source is as right.
+std::size_t& lastGiver() {
+  thread_local std::size_t giver = 0;
+  return giver;
 }
 
 }  // namespace
 
 GrowingSize::GrowingSize(std::vector<SizeSource> sources, double growth, double largest,
                          int threads)
-    : sources_(std::move(sources)), growth_(growth), largest_(largest) {
+    : sources_(std::move(sources)), growth_(growth), perGrowth_(1 / growth), largest_(largest) {
   if (sources_.size() <= kLeaf) return;
   halves_.resize(treeSize(sources_.size()));
   build(0, 0, sources_.size(), threads);
@@ -96,34 +97,55 @@ void GrowingSize::divide(const Box& box, std::size_t first, std::size_t half, st
   });
 }
 
-Pair GrowingSize::leastIn(const Halves& h, const Point3& p) const {
-  const Pair x{p.x, p.x}, y{p.y, p.y}, z{p.z, p.z}, growth{growth_, growth_};
+/// From both boxes, and 0 inside.
+Pair GrowingSize::squaredDistances(const Halves& h, const Point3& p) {
+  const Pair x{p.x, p.x}, y{p.y, p.y}, z{p.z, p.z};
   const auto beyond = [](Pair value, Pair low, Pair high) {
     return larger(Pair{0, 0}, larger(low - value, value - high));
   };
   const Pair outX = beyond(x, h.lowX, h.highX), outY = beyond(y, h.lowY, h.highY),
              outZ = beyond(z, h.lowZ, h.highZ);
-  const Pair squared = outX * outX + outY * outY + outZ * outZ;
-  const Pair outside{std::sqrt(squared[0]), std::sqrt(squared[1])};
-  return larger(h.size, h.atCentres + growth * outside);
+  return outX * outX + outY * outY + outZ * outZ;
 }
 
+/// Most sources are too far away, which the squares of the distances tell.
+bool GrowingSize::lower(std::size_t source, const Point3& position, double& least) const {
+  const SizeSource& s = sources_[source];
+  const double left = least - s.size;
+  if (!(left > 0)) return false;
+  const Point3 way = position - s.position;
+  const double squared = dot(way, way);
+  if (squared > squaredReach(left * perGrowth_ + s.radius)) return false;
+  const double size = s.size + growth_ * std::max(0.0, std::sqrt(squared) - s.radius);
+  if (!(size < least)) return false;
+  least = size;
+  return true;
+}
+
+/// Parts of the sources, the nearer half first.
 void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
                        const Point3& position, double& least) const {
   if (last - first <= kLeaf) {
-    for (std::size_t i = first; i < last; ++i) lowerTo(sources_[i], growth_, position, least);
+    for (std::size_t i = first; i < last; ++i)
+      if (lower(i, position, least)) lastGiver() = i;
     return;
   }
+  const Halves& halves = halves_[node];
+  const Pair squared = squaredDistances(halves, position);
   const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;
-  const Pair within = leastIn(halves_[node], position);
-  const bool leftFirst = within[0] <= within[1];
-  if (leftFirst && within[0] < least) look(left, first, half, position, least);
-  if (within[1] < least) look(right, half, last, position, least);
-  if (!leftFirst && within[0] < least) look(left, first, half, position, least);
+  const auto mayGiveLess = [&](std::size_t i) {
+    return halves.size[i] < least &&
+           squared[i] <= squaredReach((least - halves.atCentres[i]) * perGrowth_);
+  };
+  const bool leftFirst = squared[0] <= squared[1];
+  if (leftFirst && mayGiveLess(0)) look(left, first, half, position, least);
+  if (mayGiveLess(1)) look(right, half, last, position, least);
+  if (!leftFirst && mayGiveLess(0)) look(left, first, half, position, least);
 }
 
 double GrowingSize::at(const Point3& position, double most) const {
   double least = std::min(most, largest_);
+  if (const std::size_t giver = lastGiver(); giver < sources_.size()) lower(giver, position, least);
   look(0, 0, sources_.size(), position, least);
   return least;
 }

@@ -44,11 +44,12 @@ class AF2_EXPORT GrowingSize {
   void divide(const Box& box, std::size_t first, std::size_t half, std::size_t last);
   void look(std::size_t node, std::size_t first, std::size_t last, const Point3& position,
             double& least) const;
-  Pair leastIn(const Halves& halves, const Point3& position) const;
+  bool lower(std::size_t source, const Point3& position, double& least) const;
+  static Pair squaredDistances(const Halves& halves, const Point3& position);
 
   std::vector<SizeSource> sources_;
   std::vector<Halves> halves_;  ///< a heap: the halves of those at i are at 2 i + 1 and 2 i + 2
-  double growth_, largest_;
+  double growth_, perGrowth_, largest_;
 };
 
 /// Removes the sources that nowhere give a smaller size than the others do. All sizes must be > 0.

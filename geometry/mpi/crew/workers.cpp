@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/mpi/crew/region_bytes.h"
 
 namespace af2::mpi {
@@ -153,7 +153,7 @@ void Workers::work(TaskSource& source, std::uint64_t round, const MeshTry& mesh)
   std::exception_ptr fault;
   const auto run = [&](std::size_t slot) {
     try {
-      geometry::withThreads(1, [&] { doTasks(source, round, slot, mesh); });
+      withThreads(1, [&] { doTasks(source, round, slot, mesh); });
     } catch (const std::exception& error) {
       source.giveUp(reasonOf(error));  // others would wait for what it has begun
       const std::lock_guard lock(mutex);

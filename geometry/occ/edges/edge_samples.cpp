@@ -139,16 +139,17 @@ class IntervalSampler {
   double turn_, least_;
 };
 
-void clampSizes(EdgePiece& piece, const CadSizes& sizes) {
-  for (std::size_t i = 0; i < piece.sizes.size(); ++i)
-    piece.sizes[i] = std::clamp(piece.sizes[i], piece.least[i], sizes.maxSize);
+/// Brings sizes along a piece below those that are wanted by position, and between the bounds.
+void limitByPosition(const EdgePiece& piece, const PositionSize& function, const CadSizes& bounds,
+                     std::vector<double>& sizes) {
+  const bool areLeast = std::ranges::equal(sizes, piece.least, std::ranges::less_equal{});
+  if (function && !areLeast) function.lower(piece.positions, sizes);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    sizes[i] = std::clamp(sizes[i], piece.least[i], bounds.maxSize);
 }
 
-/// Brings the sizes of a piece below those that are wanted by position, and between the bounds.
-void limitByPosition(EdgePiece& piece, const PositionSize& function, const CadSizes& sizes) {
-  const bool areLeast = std::ranges::equal(piece.sizes, piece.least, std::ranges::less_equal{});
-  if (function && !areLeast) function.lower(piece.positions, piece.sizes);
-  clampSizes(piece, sizes);
+void limitByPosition(std::vector<EdgePiece>& pieces, const CadSizes& sizes) {
+  for (EdgePiece& piece : pieces) limitByPosition(piece, sizes.function, sizes, piece.sizes);
 }
 
 double countOf(const Cells& cells) {
@@ -326,7 +327,7 @@ void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamp
     cells = total < kMaxEqual ? sampler.equalCells(total) : finer(cells, samples.pieces);
     if (countOf(cells) > kMaxSamples) return;
     samples.pieces = sampler.pieces(cells);
-    for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes.function, sizes);
+    limitByPosition(samples.pieces, sizes);
     tooCoarse = coarseness(samples.pieces);
   }
 }
@@ -356,7 +357,7 @@ EdgeSamples sampleEdge(const ModelShape& model, int edge, const CadSizes& sizes)
 
 EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes& sizes,
                               EdgeSamples samples) {
-  for (EdgePiece& piece : samples.pieces) limitByPosition(piece, sizes.function, sizes);
+  limitByPosition(samples.pieces, sizes);
   if (sizes.function || sizes.elementsPerTurn > 0)
     tryCurve(samples, [&] { resample(model, edge, sizes, samples); });
   return samples;
@@ -365,10 +366,11 @@ EdgeSamples limitedByPosition(const ModelShape& model, int edge, const CadSizes&
 bool isWithinLimits(const PositionSize& function, const CadSizes& sizes, const EdgeSamples& samples,
                     bool areDense) {
   if (!areDense && coarseness(samples.pieces) > 1) return false;
+  std::vector<double> limited;
   return std::ranges::all_of(samples.pieces, [&](const EdgePiece& piece) {
-    EdgePiece limited{{}, {}, piece.positions, piece.sizes, piece.least};
-    limitByPosition(limited, function, sizes);
-    return limited.sizes == piece.sizes;
+    limited = piece.sizes;
+    limitByPosition(piece, function, sizes, limited);
+    return limited == piece.sizes;
   });
 }
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "engine/base/parallel.h"
 #include "geometry/base/box_tree.h"
-#include "geometry/base/parallel.h"
 #include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
@@ -47,7 +47,7 @@ class FaceStrips {
     for (const Use& use : uses_) boxes.push_back(edges_[use.edge].box);
     const BoxTree tree(boxes);
     std::vector<std::uint32_t> near;
-    for (const Use& use : uses_) {
+    for (Use& use : uses_) {
       const KnottedEdge& edge = edges_[use.edge];
       const Point3 reach{edge.reach, edge.reach, edge.reach};
       near.clear();
@@ -62,7 +62,8 @@ class FaceStrips {
  private:
   struct Use {
     std::uint32_t edge;
-    TopoDS_Edge oriented;  ///< as in the face
+    TopoDS_Edge oriented;             ///< as in the face
+    std::optional<bool> isSeam = {};  ///< looked up when it matters
   };
   /// The other side of a strip.
   struct Side {
@@ -80,7 +81,7 @@ class FaceStrips {
     return !(edges_[a].isStraight && edges_[b].isStraight) && !areWedge(a, b);
   }
 
-  void look(const Use& use, const std::vector<std::uint32_t>& near) {
+  void look(Use& use, const std::vector<std::uint32_t>& near) {
     const KnottedEdge& edge = edges_[use.edge];
     for (std::uint32_t k = 0; k < edge.knots.size(); ++k) {
       const Knot& knot = edge.knots[k];
@@ -177,8 +178,9 @@ class FaceStrips {
   }
 
   /// Whether a direction leads from an edge into the face.
-  bool isInside(const Use& use, const Knot& knot, const Point3& direction) {
-    if (BRep_Tool::IsClosed(use.oriented, forward_)) return true;
+  bool isInside(Use& use, const Knot& knot, const Point3& direction) {
+    if (!use.isSeam) use.isSeam = BRep_Tool::IsClosed(use.oriented, forward_);
+    if (*use.isSeam) return true;
     if (!surface_) surface_.emplace(model_.surface(face_));
     const Point3 normal = normalOnEdge(*surface_, forward_, use.oriented, knot.parameter);
     const double side = dot(cross(normal, knot.tangent), direction);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/edges/edge_chains.h"
 #include "geometry/occ/edges/given_points.h"

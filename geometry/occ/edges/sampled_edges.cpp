@@ -1,6 +1,6 @@
 #include "geometry/occ/edges/sampled_edges.h"
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 namespace af2::geometry {
 

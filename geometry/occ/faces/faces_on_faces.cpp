@@ -17,7 +17,7 @@
 #include <set>
 #include <utility>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/edge_division.h"
 #include "geometry/occ/faces/face_boundary.h"

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/surfaces/face_surface.h"
 

@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/parallel.h"
 #include "engine/base/place_text.h"
-#include "geometry/base/parallel.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/surfaces/face_surface.h"

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/layers/layer_ends.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/volume_note.h"

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/model/face_surfaces.h"
 #include "geometry/occ/sizes/sizing.h"

@@ -1,7 +1,6 @@
 #include "geometry/occ/sizes/face_sampler.h"
 
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
@@ -14,6 +13,7 @@
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"
+#include "geometry/occ/surfaces/parameter_outline.h"
 #include "geometry/sizes/uncovered_sources.h"
 
 namespace af2::geometry {
@@ -165,8 +165,8 @@ class FaceSampler {
       if (limits_[i] >= kSmall * wanted_) continue;
       const SizeSource source{points_[i].position, limits_[i]};
       if (!areAll_ && sources_.cover(source)) continue;
-      if (!trimming_) trimming_.emplace(face_, Precision::PConfusion());
-      if (trimming_->Perform({points_[i].u, points_[i].v}) == TopAbs_OUT) continue;
+      if (!outline_) outline_.emplace(face_);
+      if (!outline_->has(points_[i].u, points_[i].v)) continue;
       sources_.add(source);
     }
   }
@@ -198,8 +198,8 @@ class FaceSampler {
   const CadSizes& sizes_;
   double wanted_;
   FaceSurface surface_;
-  SplineSurface::Box box_;                           // of the parameters
-  std::optional<BRepTopAdaptor_FClass2d> trimming_;  // most faces do not need it
+  SplineSurface::Box box_;                   // of the parameters
+  std::optional<ParameterOutline> outline_;  // most faces do not need it
   std::vector<SurfacePoint> points_;
   std::vector<double> limits_;  // by point
   UncoveredSources sources_;

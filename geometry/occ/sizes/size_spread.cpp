@@ -9,7 +9,7 @@
 
 #include "engine/base/constants.h"
 #include "engine/base/error.h"
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 #include "geometry/occ/sizes/face_sampler.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -76,18 +75,5 @@ class task_group {
   std::mutex mutex_;
   std::exception_ptr first_;
 };
-
-struct simple_partitioner {};
-
-template <class Index, class Work>
-void parallel_for(Index first, Index last, const Work& work, simple_partitioner) {
-  std::atomic<Index> next = first;
-  const auto takeAll = [&] {
-    for (Index i = next++; i < last; i = next++) work(i);
-  };
-  task_group group;
-  for (int i = 1; i < this_task_arena::max_concurrency(); ++i) group.run(takeAll);
-  group.run_and_wait(takeAll);
-}
 
 }  // namespace tbb

@@ -1,4 +1,4 @@
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
@@ -6,10 +6,25 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
-namespace af2::geometry {
+namespace af2 {
 
 namespace {
+
+/// Whether this thread does its work alone. To start TBB for that would take half a millisecond.
+thread_local bool isAlone = false;
+
+class Alone {
+ public:
+  explicit Alone(bool is) : before_(std::exchange(isAlone, is)) {}
+  ~Alone() { isAlone = before_; }
+  Alone(const Alone&) = delete;
+  Alone& operator=(const Alone&) = delete;
+
+ private:
+  bool before_;
+};
 
 /// A counter instead of ranges, because tasks must be started in order, the largest first.
 void runAll(std::size_t count, const std::function<void(std::size_t)>& work) {
@@ -24,9 +39,10 @@ void runAll(std::size_t count, const std::function<void(std::size_t)>& work) {
       }
     }
   };
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t threads = std::min(static_cast<std::size_t>(threadCount(0)), count);
+  if (threads <= 1) return takeAll();
   tbb::task_group group;
-  for (std::size_t i = 1; i < std::min(threads, count); ++i) group.run(takeAll);
+  for (std::size_t i = 1; i < threads; ++i) group.run(takeAll);
   group.run_and_wait(takeAll);
 }
 
@@ -34,12 +50,14 @@ void runAll(std::size_t count, const std::function<void(std::size_t)>& work) {
 
 void withThreads(int threads, const std::function<void()>& work) {
   if (threads <= 0) return work();
-  // More threads than cores bring nothing, and TBB would print a warning. An arena is wanted for a
-  // single thread, too: it holds for what the work does in parallel by itself.
+  const Alone alone(threads == 1);
+  if (threads == 1) return work();
+  // More threads than cores bring nothing, and TBB would print a warning.
   tbb::task_arena(std::min(threads, tbb::info::default_concurrency())).execute(work);
 }
 
 int threadCount(int threads) {
+  if (isAlone || threads == 1) return 1;
   const int all = tbb::this_task_arena::max_concurrency();
   return threads <= 0 ? all : std::min(threads, all);
 }
@@ -49,4 +67,4 @@ void forEachInParallel(std::size_t count, int threads,
   withThreads(threads, [&] { runAll(count, work); });
 }
 
-}  // namespace af2::geometry
+}  // namespace af2

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace af2::geometry {
+namespace af2 {
 
 /// Calls `work`, whose parallel parts use at most `threads` threads (0: as many as the caller's TBB
 /// arena has). Exceptions are passed on.
@@ -63,4 +63,4 @@ void forEachInRanges(std::size_t count, std::size_t size, int threads, const Wor
   });
 }
 
-}  // namespace af2::geometry
+}  // namespace af2

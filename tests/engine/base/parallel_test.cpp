@@ -1,11 +1,15 @@
-#include "geometry/base/parallel.h"
+#include "engine/base/parallel.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <set>
 #include <stdexcept>
+#include <thread>
 
-namespace af2::geometry {
+namespace af2 {
 namespace {
 
 TEST(Ranges, HoldEachNumberOnceInOrder) {
@@ -40,6 +44,29 @@ TEST(ForEachInParallel, PassesErrorsOn) {
       std::runtime_error);
 }
 
+TEST(WithThreads, HoldsForWhatTheWorkDoesInParallel) {
+  const auto threadsOf = [](std::size_t count) {
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    forEachInParallel(count, 0, [&](std::size_t) {
+      const std::lock_guard lock(mutex);
+      threads.insert(std::this_thread::get_id());
+    });
+    return threads.size();
+  };
+  const int before = threadCount(0);
+  withThreads(1, [&] {
+    EXPECT_EQ(threadCount(0), 1);
+    EXPECT_EQ(threadsOf(1000), 1u);
+    withThreads(2, [&] { EXPECT_EQ(threadCount(0), std::min(2, before)); });
+    EXPECT_EQ(threadCount(0), 1);
+  });
+  forEachInParallel(2, 2,
+                    [&](std::size_t) { withThreads(1, [&] { EXPECT_EQ(threadsOf(1000), 1u); }); });
+  EXPECT_THROW(withThreads(1, [] { throw std::runtime_error("alone"); }), std::runtime_error);
+  EXPECT_EQ(threadCount(0), before);
+}
+
 TEST(TakeInOrder, TakesWhatIsMadeInOrder) {
   for (const int threads : {1, 2})
     for (const std::size_t count : {0u, 1u, 5u, 100u}) {
@@ -53,4 +80,4 @@ TEST(TakeInOrder, TakesWhatIsMadeInOrder) {
 }
 
 }  // namespace
-}  // namespace af2::geometry
+}  // namespace af2

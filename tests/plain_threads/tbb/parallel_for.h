@@ -1,4 +1,0 @@
-// Stands in for the header of oneTBB of this name.
-#pragma once
-
-#include "plain_threads.h"
