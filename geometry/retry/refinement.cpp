@@ -81,9 +81,7 @@ struct NearPlaces {
     std::ranges::fill(sizes, std::numeric_limits<double>::infinity());
     lower(at, sizes);
   }
-  void lower(std::span<const Point3> at, std::span<double> sizes) const {
-    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = near->at(at[i], sizes[i]);
-  }
+  void lower(std::span<const Point3> at, std::span<double> sizes) const { near->lower(at, sizes); }
 };
 
 }  // namespace

@@ -109,7 +109,7 @@ Pair GrowingSize::squaredDistances(const Halves& h, const Point3& p) {
 }
 
 /// Most sources are too far away, which the squares of the distances tell.
-bool GrowingSize::lower(std::size_t source, const Point3& position, double& least) const {
+bool GrowingSize::lowerTo(std::size_t source, const Point3& position, double& least) const {
   const SizeSource& s = sources_[source];
   const double left = least - s.size;
   if (!(left > 0)) return false;
@@ -127,7 +127,7 @@ void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
                        const Point3& position, double& least) const {
   if (last - first <= kLeaf) {
     for (std::size_t i = first; i < last; ++i)
-      if (lower(i, position, least)) lastGiver() = i;
+      if (lowerTo(i, position, least)) lastGiver() = i;
     return;
   }
   const Halves& halves = halves_[node];
@@ -145,9 +145,28 @@ void GrowingSize::look(std::size_t node, std::size_t first, std::size_t last,
 
 double GrowingSize::at(const Point3& position, double most) const {
   double least = std::min(most, largest_);
-  if (const std::size_t giver = lastGiver(); giver < sources_.size()) lower(giver, position, least);
+  if (const std::size_t giver = lastGiver(); giver < sources_.size())
+    lowerTo(giver, position, least);
   look(0, 0, sources_.size(), position, least);
   return least;
+}
+
+/// Sizes change no faster than they grow: what is known at one place tells how small they may be at
+/// the next ones. The larger the size up to which one is known, the more places it tells of.
+void GrowingSize::lower(std::span<const Point3> at, std::span<double> sizes) const {
+  constexpr double kSlack = 1.25;
+  if (at.size() == 1) {
+    sizes[0] = this->at(at[0], sizes[0]);
+    return;
+  }
+  Point3 last;
+  double known = -std::numeric_limits<double>::infinity();  // at `last`, or less
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (kMoreThanRounding * sizes[i] <= known - growth_ * distance(last, at[i])) continue;
+    last = at[i];
+    known = this->at(last, kSlack * sizes[i]);
+    sizes[i] = std::min(sizes[i], known);
+  }
 }
 
 /// A source is covered if the others give at most its size everywhere in its ball: then they do so
@@ -160,7 +179,8 @@ std::vector<SizeSource> uncovered(const std::vector<SizeSource>& sources, double
   std::vector<std::uint8_t> isCovered(sources.size());
   forEachInRanges(sources.size(), kAtOnce, threads, [&](std::size_t i) {
     const SizeSource& s = sources[i];
-    isCovered[i] = all.at(s.position) + growth * s.radius < kClearly * s.size;
+    const double limit = kClearly * s.size - growth * s.radius;
+    isCovered[i] = all.at(s.position, limit) < limit;
   });
   std::vector<SizeSource> kept;
   for (std::size_t i = 0; i < sources.size(); ++i)

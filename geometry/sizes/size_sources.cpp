@@ -149,9 +149,14 @@ struct PreparedSources {
     for (SizeCells& field : sources.cells) cells.emplace_back(std::move(field), growth);
   }
 
-  /// Not more than `most`.
-  double at(const Point3& p, double most) const {
-    double size = points.at(p, most);
+  void lower(std::span<const Point3> at, std::span<double> sizes) const {
+    points.lower(at, sizes);
+    if (boxes.empty() && grids.empty() && cells.empty()) return;
+    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = std::min(sizes[i], beyondPoints(at[i]));
+  }
+
+  double beyondPoints(const Point3& p) const {
+    double size = std::numeric_limits<double>::infinity();
     for (const SizeBox& box : boxes)
       size = std::min(size, box.size + growth * Box3{box.low, box.high}.distanceTo(p));
     for (const SizeGrid& grid : grids) size = std::min(size, GridSize(grid).at(p, growth));
@@ -174,7 +179,7 @@ struct SizeFromSources {
     lower(at, sizes);
   }
   void lower(std::span<const Point3> at, std::span<double> sizes) const {
-    for (std::size_t i = 0; i < at.size(); ++i) sizes[i] = sources->at(at[i], sizes[i]);
+    sources->lower(at, sizes);
   }
 };
 

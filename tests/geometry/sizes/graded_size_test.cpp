@@ -42,6 +42,34 @@ TEST(GrowingSize, FindsTheSmallestAmongManyBalls) {
   }
 }
 
+TEST(GrowingSize, LowersSizesAlongALineToExactlyThoseOfSinglePlaces) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(0, 10), some(0.01, 0.5), factor(0.5, 1.5);
+  std::vector<SizeSource> sources;
+  for (int i = 0; i < 777; ++i)
+    sources.push_back({{any(random), any(random), any(random)}, some(random), some(random) / 10});
+  const GrowingSize size(sources, 0.3, 2);
+  std::size_t lowered = 0, kept = 0;
+  for (int line = 0; line < 40; ++line) {
+    const Point3 from{any(random), any(random), any(random)}, way{any(random), any(random), 0};
+    std::vector<Point3> at;
+    std::vector<double> sizes;
+    for (int i = 0; i < 100; ++i) {
+      at.push_back(from + 1e-3 * i * way);
+      sizes.push_back(factor(random) * size.at(at.back()));
+    }
+    std::vector<double> expected;
+    for (std::size_t i = at.size(); i-- > 0;)
+      expected.insert(expected.begin(), std::min(sizes[i], size.at(at[i])));
+    const std::vector<double> before = sizes;
+    size.lower(at, sizes);
+    EXPECT_EQ(sizes, expected);
+    for (std::size_t i = 0; i < at.size(); ++i) ++(sizes[i] < before[i] ? lowered : kept);
+  }
+  EXPECT_GT(lowered, 1000u);
+  EXPECT_GT(kept, 1000u);
+}
+
 TEST(GrowingSize, NeedsOnlyTheUncoveredSources) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(0, 10), some(0.01, 1), radius(0, 0.2);
