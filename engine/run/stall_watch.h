@@ -59,9 +59,9 @@ class StallWatch {
   }
 
   /// The largest numbers of steps and of candidates between two reports.
-  static constexpr std::size_t kReportSteps = 4096, kReportCandidates = 1 << 18;
+  static constexpr std::size_t kReportSteps = 1024, kReportCandidates = 1 << 18;
   /// Fewer gains than this between two reports do not count as progress.
-  static constexpr std::size_t kMinGain = 64;
+  static constexpr std::size_t kMinGain = 16;
 
   const FrontOptions& options_;
   std::size_t nextReport_ = kReportCandidates, gainsReported_ = 0;

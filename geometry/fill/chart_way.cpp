@@ -321,8 +321,7 @@ FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stal
 
 FaceAttempt fillThroughCharts(FillState& state) {
   for (const ChartTraits* chart : state.charts) {
-    // With the last charts a front goes on to its end.
-    const int stallLimit = chart == state.charts.back() ? 0 : kStallLimit;
+    const int stallLimit = chart == state.charts.back() ? kLastStallLimit : kStallLimit;
     FaceAttempt attempt = attemptWith(state.task, *chart, stallLimit);
     if (attempt.fault.isNone()) return attempt;
     state.fail(std::string(chart->name) + " charts", std::move(attempt));

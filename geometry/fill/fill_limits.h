@@ -9,8 +9,8 @@ namespace af2::geometry {
 // --- how long a front goes on -------------------------------------------------------------------
 
 /// Consecutive steps without notable progress, for each edge of the front, after which other charts
-/// are tried. With the last charts a front runs to its end.
-inline constexpr int kStallLimit = 4;
+/// are tried; with the last charts, a front that does not get on this much longer is stuck.
+inline constexpr int kStallLimit = 4, kLastStallLimit = 12;
 
 /// Candidates that a front may examine without progress. This is nearly twice the largest number
 /// that any front of the public models needed to complete a face (each candidate counted once).

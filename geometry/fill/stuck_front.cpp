@@ -1,18 +1,31 @@
 #include "geometry/fill/stuck_front.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/place_text.h"
 #include "geometry/fill/fill_limits.h"
 
 namespace af2::geometry {
 
+namespace {
+
+/// Of the edges that tell why they were refused, the first one at the highest level. A front that
+/// was stopped because it did not get on has others that might still match.
+const StuckEdge& mostRefused(const std::vector<StuckEdge>& edges) {
+  return *std::ranges::max_element(edges, {}, [](const StuckEdge& edge) {
+    return std::pair(!edge.refusals.empty(), edge.level);
+  });
+}
+
+}  // namespace
+
 std::string stuckReason(const MeshingResult& result, const AF2Algorithm& algorithm) {
   std::string text =
       "the front got stuck with " + std::to_string(result.stuck.size()) + " edges left";
   if (result.stuck.empty()) return text;
-  const StuckEdge& edge = result.stuck.front();
-  text += ", the first from " + textOf(result.mesh.vertices[edge.from.value].position) + " to " +
+  const StuckEdge& edge = mostRefused(result.stuck);
+  text += ", one from " + textOf(result.mesh.vertices[edge.from.value].position) + " to " +
           textOf(result.mesh.vertices[edge.to.value].position);
   const RuleRefusal* farthest = nullptr;
   for (const RuleRefusal& refusal : edge.refusals)

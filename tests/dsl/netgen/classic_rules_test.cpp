@@ -73,8 +73,8 @@ class Comparison {
   }
 
   void compareAt(const std::vector<Point2>& fileMatch) {
-    std::vector<Point2> match;
-    for (std::size_t number : numberOf_) match.push_back(fileMatch[number]);
+    std::vector<Point2> match;  // without the new vertices, whose numbers come later
+    for (std::size_t i = 0; i < fileMatch.size(); ++i) match.push_back(fileMatch[numberOf_[i]]);
     compareNewVertices(match, fileMatch);
     compareZone(match, fileMatch);
   }

@@ -41,11 +41,13 @@ struct Given {
   double areaBeside = 0;
 };
 
-/// Fills the square, divided into segments of half a unit.
-FaceAttempt attempt(const ChartedSurface& surface, const SizeField& size, const Given& given) {
+/// Does something with the task to fill the square, divided into segments of that length.
+template <class Use>
+FaceAttempt with(const ChartedSurface& surface, const SizeField& size, const Given& given,
+                 std::shared_ptr<const RuleSet> rules, double segment, Use&& use) {
   FaceBoundary boundary;
-  testing::addLoop(boundary.input, testing::divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 0.5));
-  const AF2Algorithm algorithm(testing::triangleSet());
+  testing::addLoop(boundary.input, testing::divided({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, segment));
+  const AF2Algorithm algorithm(std::move(rules));
   FillOptions options;
   options.optimize = false;
   const ProgressCallback silent;
@@ -56,7 +58,13 @@ FaceAttempt attempt(const ChartedSurface& surface, const SizeField& size, const 
   const FaceTask task{
       surface, boundary, size,   given.area, given.expectedElements, algorithm,       options,
       false,   limits,   silent, makeTools,  given.knowsSizes,       given.areaBeside};
-  return attemptWith(task, chartKinds().front(), FrontOptions{}.stallSteps);
+  return use(task);
+}
+
+FaceAttempt attempt(const ChartedSurface& surface, const SizeField& size, const Given& given) {
+  return with(surface, size, given, testing::triangleSet(), 0.5, [](const FaceTask& task) {
+    return attemptWith(task, chartKinds().front(), FrontOptions{}.stallSteps);
+  });
 }
 
 FaceAttempt attempt(const SizeField& size, const Given& given) {
@@ -118,6 +126,27 @@ TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
   // Planes cannot overlap themselves, and faces of unknown area cannot be compared.
   EXPECT_TRUE(attempt(fine, of(5)).fault.isNone());
   EXPECT_TRUE(attempt(UnknownPlane(), fine, of(0)).fault.isNone());
+}
+
+TEST(ChartWay, EndsAFrontThatDoesNotGetOnWithTheLastCharts) {
+  const FlatSurface plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  RuleSetDefinition onlyTriangles = testing::triangleSetDefinition();
+  onlyTriangles.rules = {testing::fillTriangle()};
+  const auto rules = std::make_shared<RuleSet>(onlyTriangles);
+  const auto steps = [&](auto&& use) {
+    const FaceAttempt ended = with(plane, UniformSize(0.02), {}, rules, 0.02, use);
+    EXPECT_EQ(ended.result.outcome, Outcome::Stuck);
+    EXPECT_EQ(ended.result.stuck.size(), 800u);
+    return ended.result.steps;
+  };
+  const std::size_t ended = steps([](const FaceTask& task) {
+    FillState state{task, {&chartKinds().front()}};
+    EXPECT_EQ(fillThroughCharts(state).fault.kind, FillFaultKind::NotFilled);
+    return std::move(state.failed.front());
+  });
+  const std::size_t whole =
+      steps([](const FaceTask& task) { return attemptWith(task, chartKinds().front(), 0); });
+  EXPECT_LT(2 * ended, whole);
 }
 
 TEST(ChartWay, EndsAFrontThatExaminesMoreCandidatesThanItMay) {
