@@ -305,6 +305,14 @@ const ChartTraits& traitsOf(ChartKind kind) {
   return *std::ranges::find(chartKinds(), kind, &ChartTraits::kind);
 }
 
+int lastStallLimit(const FaceTask& task) {
+  if (!task.limits.failedBefore) return 0;
+  int limit = kLastStallLimit;
+  for (const AF2Rule& rule : task.algorithm.rules().rules())
+    limit = std::max(limit, rule.definition().firstLevel);
+  return limit;
+}
+
 }  // namespace
 
 FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stallLimit) {
@@ -321,7 +329,8 @@ FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stal
 
 FaceAttempt fillThroughCharts(FillState& state) {
   for (const ChartTraits* chart : state.charts) {
-    const int stallLimit = chart == state.charts.back() ? kLastStallLimit : kStallLimit;
+    const bool isLast = chart == state.charts.back();
+    const int stallLimit = isLast ? lastStallLimit(state.task) : kStallLimit;
     FaceAttempt attempt = attemptWith(state.task, *chart, stallLimit);
     if (attempt.fault.isNone()) return attempt;
     state.fail(std::string(chart->name) + " charts", std::move(attempt));

@@ -9,7 +9,8 @@ namespace af2::geometry {
 // --- how long a front goes on -------------------------------------------------------------------
 
 /// Consecutive steps without notable progress, for each edge of the front, after which other charts
-/// are tried; with the last charts, a front that does not get on this much longer is stuck.
+/// are tried. With the last charts a front runs to its end; only where the face has failed before,
+/// it is given up after so many, or once every rule has had its turn at every edge.
 inline constexpr int kStallLimit = 4, kLastStallLimit = 12;
 
 /// Candidates that a front may examine without progress. This is nearly twice the largest number

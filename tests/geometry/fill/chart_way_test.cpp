@@ -39,6 +39,7 @@ struct Given {
   bool knowsSizes = false;
   std::size_t maxCandidates = kAnyNumber;
   double areaBeside = 0;
+  bool failedBefore = false;
 };
 
 /// Does something with the task to fill the square, divided into segments of that length.
@@ -54,7 +55,7 @@ FaceAttempt with(const ChartedSurface& surface, const SizeField& size, const Giv
   const auto makeTools = [&](ChartKind kind) {
     return PieceTools{surface.makeCharts(kind), {&size, [](const SizeField*) {}}};
   };
-  const TryLimits limits{.maxCandidates = given.maxCandidates};
+  const TryLimits limits{.maxCandidates = given.maxCandidates, .failedBefore = given.failedBefore};
   const FaceTask task{
       surface, boundary, size,   given.area, given.expectedElements, algorithm,       options,
       false,   limits,   silent, makeTools,  given.knowsSizes,       given.areaBeside};
@@ -128,25 +129,26 @@ TEST(ChartWay, EndsAFrontWhoseElementsHaveFarMoreAreaThanTheFace) {
   EXPECT_TRUE(attempt(UnknownPlane(), fine, of(0)).fault.isNone());
 }
 
-TEST(ChartWay, EndsAFrontThatDoesNotGetOnWithTheLastCharts) {
+TEST(ChartWay, EndsAFrontThatDoesNotGetOnWithTheLastChartsWhereItFailedBefore) {
   const FlatSurface plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  RuleSetDefinition onlyTriangles = testing::triangleSetDefinition();
-  onlyTriangles.rules = {testing::fillTriangle()};
-  const auto rules = std::make_shared<RuleSet>(onlyTriangles);
-  const auto steps = [&](auto&& use) {
-    const FaceAttempt ended = with(plane, UniformSize(0.02), {}, rules, 0.02, use);
+  const auto steps = [&](bool failedBefore, AF2Rule onlyRule) {
+    RuleSetDefinition definition = testing::triangleSetDefinition();
+    definition.rules = {std::move(onlyRule)};
+    const auto use = [](const FaceTask& task) {
+      FillState state{task, {&chartKinds().front()}};
+      EXPECT_EQ(fillThroughCharts(state).fault.kind, FillFaultKind::NotFilled);
+      return std::move(state.failed.front());
+    };
+    const FaceAttempt ended = with(plane, UniformSize(0.02), {.failedBefore = failedBefore},
+                                   std::make_shared<RuleSet>(std::move(definition)), 0.02, use);
     EXPECT_EQ(ended.result.outcome, Outcome::Stuck);
     EXPECT_EQ(ended.result.stuck.size(), 800u);
     return ended.result.steps;
   };
-  const std::size_t ended = steps([](const FaceTask& task) {
-    FillState state{task, {&chartKinds().front()}};
-    EXPECT_EQ(fillThroughCharts(state).fault.kind, FillFaultKind::NotFilled);
-    return std::move(state.failed.front());
-  });
-  const std::size_t whole =
-      steps([](const FaceTask& task) { return attemptWith(task, chartKinds().front(), 0); });
-  EXPECT_LT(2 * ended, whole);
+  const std::size_t whole = steps(false, testing::fillTriangle());
+  EXPECT_LT(2 * steps(true, testing::fillTriangle()), whole);
+  // A rule that comes late has its turn.
+  EXPECT_GT(steps(true, testing::flatTriangle(30, -1, 9)), 30u * 800);
 }
 
 TEST(ChartWay, EndsAFrontThatExaminesMoreCandidatesThanItMay) {
