@@ -14,7 +14,6 @@ std::string restOf(std::istream& in, std::size_t most) {
     in.read(text.data() + before, static_cast<std::streamsize>(text.size() - before));
     text.resize(before + static_cast<std::size_t>(in.gcount()));
   }
-  text.shrink_to_fit();
   return text;
 }
 
