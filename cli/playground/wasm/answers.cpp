@@ -134,6 +134,7 @@ Json answerTo(const Json& request) {
 
 /// A page of a browser does not say; its memory ends at 4 GiB.
 double af2::geometry::freeMemory() { return 2e9; }
+void af2::geometry::returnFreedMemory() {}
 
 namespace {
 std::string request, answer;  // both as JSON
