@@ -352,30 +352,11 @@ class Lexer {
     while (at_ < text_.size() && !isKnown(text_[at_]) && !lookAlikeAt(rest()));
     const std::string_view written = text_.substr(from, at_ - from);
     isDoubtful_ = true;
-    if (isMalformed(written)) return;  // reported for the whole file
+    if (isMalformedCharacter(written)) return;  // reported for the whole file
     tell(Code::UnknownCharacter, from, at_,
          "unknown character" + std::string(written.size() > characterSize(written) ? "s " : " ") +
-             shown(written),
-         helpFor(written));
-  }
-
-  static bool isMalformed(std::string_view written) {
-    return static_cast<unsigned char>(written[0]) >= 0x80 && characterSize(written) == 1;
-  }
-
-  static std::string shown(std::string_view written) {
-    std::string result = "'";
-    for (char c : written.substr(0, 24))
-      result += static_cast<unsigned char>(c) >= 0x20 && c != 0x7f ? c : '?';
-    return result + "'";
-  }
-
-  static std::string helpFor(std::string_view written) {
-    if (written[0] == '!') return "write `not` for the opposite, `!=` for unequal";
-    if (written[0] == '?') return "a choice is written `if condition then x else y`";
-    if (written[0] == '%') return "there is no remainder operator; `%` has no meaning here";
-    if (written[0] == '\'') return "write strings in double quotes";
-    return "delete it; the language uses plain ASCII outside of strings and comments";
+             shownUnknown(written),
+         helpForUnknown(written));
   }
 
   const SourceText& source_;

@@ -189,4 +189,24 @@ std::optional<UnreadableText> findUnreadable(std::string_view text) {
   return std::nullopt;
 }
 
+bool isMalformedCharacter(std::string_view text) {
+  return static_cast<unsigned char>(text[0]) >= 0x80 && characterSize(text) == 1;
+}
+
+std::string shownUnknown(std::string_view written) {
+  constexpr std::size_t kMost = 24;
+  std::string result = "'";
+  for (char c : written.substr(0, kMost))
+    result += static_cast<unsigned char>(c) >= 0x20 && c != 0x7f ? c : '?';
+  return result + "'";
+}
+
+std::string helpForUnknown(std::string_view written) {
+  if (written[0] == '!') return "write `not` for the opposite, `!=` for unequal";
+  if (written[0] == '?') return "a choice is written `if condition then x else y`";
+  if (written[0] == '%') return "there is no remainder operator; `%` has no meaning here";
+  if (written[0] == '\'') return "write strings in double quotes";
+  return "delete it; the language uses plain ASCII outside of strings and comments";
+}
+
 }  // namespace af2::dsl

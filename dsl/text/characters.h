@@ -31,6 +31,14 @@ const LookAlike* lookAlikeAt(std::string_view text);
 /// Number of bytes of the character with which `text` begins: at least 1, even if it is malformed.
 std::size_t characterSize(std::string_view text);
 
+/// Whether `text` begins with a byte that is no character in UTF-8.
+bool isMalformedCharacter(std::string_view text);
+
+/// Characters that the language does not know, in quotes, without those that cannot be printed; and
+/// what to write instead.
+std::string shownUnknown(std::string_view written);
+std::string helpForUnknown(std::string_view written);
+
 /// Whether `text` begins with a letter that is not ASCII, as in names of other languages.
 bool beginsWithForeignLetter(std::string_view text);
 
