@@ -8,6 +8,7 @@
 #include "dsl/compile/ideal_score.h"
 #include "dsl/program/compiled_forms.h"
 #include "dsl/program/known_values.h"
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 
 namespace af2::dsl {
@@ -19,7 +20,7 @@ constexpr int kDefaultLevels = 50;
 /// Rounds to a number of significant digits, so that messages do not show rounding errors.
 double roundedTo(double value, int digits) {
   if (value == 0) return 0;
-  const double scale = std::pow(10, digits - 1 - std::floor(std::log10(std::abs(value))));
+  const double scale = af2::power(10, digits - 1 - std::floor(std::log10(std::abs(value))));
   return std::isfinite(scale) ? std::round(value * scale) / scale : value;
 }
 

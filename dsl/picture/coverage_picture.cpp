@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::dsl {
 namespace {
 
@@ -35,7 +37,7 @@ Color blend(Color p, Color q, double t) {
 
 Color colorOf(int level, int lastLevel) {
   if (level == CoverageMap::kNone) return kNone;
-  const double share = lastLevel > 1 ? std::log(level) / std::log(lastLevel) : 0;
+  const double share = lastLevel > 1 ? af2::logarithm(level) / af2::logarithm(lastLevel) : 0;
   const double place = share * (kRamp.size() - 1);
   const auto index = std::min(static_cast<std::size_t>(place), kRamp.size() - 2);
   return blend(kRamp[index], kRamp[index + 1], place - static_cast<double>(index));
@@ -102,7 +104,7 @@ void drawKey(Canvas& canvas, int lastLevel, Point2 at) {
   };
   int last = 0;
   for (const double share : {0.0, 0.3, 0.5, 0.75, 1.0}) {
-    const int level = static_cast<int>(std::round(std::pow(lastLevel, share)));
+    const int level = static_cast<int>(std::round(af2::power(lastLevel, share)));
     if (level != last)
       entry(colorOf(level, lastLevel),
             last == 0 ? fmt::format("taken at level {}", level) : std::to_string(level));

@@ -7,6 +7,7 @@
 
 #include "dsl/match/pattern_match.h"
 #include "dsl/shapes/shape.h"
+#include "engine/base/elementary.h"
 
 namespace af2::dsl::picture {
 namespace {
@@ -15,16 +16,17 @@ namespace {
 Loop ellipse(const ToleranceForm& w, Point2 centre, double tolerance, double longest) {
   const double mean = 0.5 * (w.xx + w.yy), half = 0.5 * (w.xx - w.yy);
   const double spread = std::sqrt(half * half + 0.25 * w.xy * w.xy);
-  const double angle = 0.5 * std::atan2(w.xy, w.xx - w.yy);  // of the axis with the larger weight
+  const double angle =
+      0.5 * af2::angleOf({w.xx - w.yy, w.xy});  // of the axis with the larger weight
   const auto axis = [&](double strength) {
     return strength * longest * longest > tolerance ? std::sqrt(tolerance / strength) : longest;
   };
   const double p = axis(mean + spread), q = axis(mean - spread);
-  const Point2 u{std::cos(angle), std::sin(angle)};
+  const Point2 u = af2::directionAt(angle);
   Loop loop;
   constexpr int kCorners = 72;
   for (int i = 0; i < kCorners; ++i) {
-    const double t = 2 * M_PI * i / kCorners, x = p * std::cos(t), y = q * std::sin(t);
+    const double t = 2 * M_PI * i / kCorners, x = p * af2::cosine(t), y = q * af2::sine(t);
     loop.push_back(centre + Point2{x * u.x - y * u.y, x * u.y + y * u.x});
   }
   return loop;

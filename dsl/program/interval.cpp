@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.h"
+
 namespace af2::dsl {
 namespace {
 
@@ -77,7 +79,7 @@ Interval squareRoot(Interval a) {
 
 Interval cosine(Interval a) {
   if (!a.isFinite() || a.width() >= 2 * kPi) return {-1, 1};
-  const double p = std::cos(a.low), q = std::cos(a.high);
+  const double p = af2::cosine(a.low), q = af2::cosine(a.high);
   Interval result = outwards(std::min(p, q), std::max(p, q), kLibraryUnits);
   // Programs round angles close to quarter turns to exact ones, which moves them a little.
   const double moved = 2e-14 * std::max(1.0, std::max(std::abs(a.low), std::abs(a.high)));
@@ -113,8 +115,8 @@ Interval wholePower(Interval a, int exponent) {
 
 Interval power(Interval a, Interval exponent) {
   if (!(a.low > 0) || !a.isFinite() || !exponent.isFinite()) return Interval::all();
-  const double p = std::pow(a.low, exponent.low), q = std::pow(a.low, exponent.high),
-               r = std::pow(a.high, exponent.low), s = std::pow(a.high, exponent.high);
+  const double p = af2::power(a.low, exponent.low), q = af2::power(a.low, exponent.high),
+               r = af2::power(a.high, exponent.low), s = af2::power(a.high, exponent.high);
   return outwards(std::min({p, q, r, s}), std::max({p, q, r, s}), kLibraryUnits);
 }
 
@@ -122,8 +124,8 @@ Interval angleOf(Interval y, Interval x) {
   const Interval all = outwards(-kPi, kPi, kLibraryUnits);
   if (!x.isFinite() || !y.isFinite()) return all;
   if (x.low <= 0 && y.contains(0)) return all;  // around the origin, or across the cut
-  const double p = std::atan2(y.low, x.low), q = std::atan2(y.low, x.high),
-               r = std::atan2(y.high, x.low), s = std::atan2(y.high, x.high);
+  const double p = af2::angleOf({x.low, y.low}), q = af2::angleOf({x.high, y.low}),
+               r = af2::angleOf({x.low, y.high}), s = af2::angleOf({x.high, y.high});
   return outwards(std::min({p, q, r, s}), std::max({p, q, r, s}), kLibraryUnits);
 }
 

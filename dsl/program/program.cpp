@@ -7,6 +7,7 @@
 #include "dsl/program/registry.h"
 #include "dsl/program/shape_program.h"
 #include "dsl/program/steps.h"
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "engine/base/predicates.h"
 #include "engine/base/turn.h"
@@ -30,18 +31,18 @@ std::optional<int> quarterTurns(double angle) {
 double sine(double angle) {
   constexpr std::array<double, 4> exact{0, 1, 0, -1};
   const auto quarters = quarterTurns(angle);
-  return quarters ? exact[static_cast<std::size_t>(*quarters)] : std::sin(angle);
+  return quarters ? exact[static_cast<std::size_t>(*quarters)] : af2::sine(angle);
 }
 
 double cosine(double angle) {
   constexpr std::array<double, 4> exact{1, 0, -1, 0};
   const auto quarters = quarterTurns(angle);
-  return quarters ? exact[static_cast<std::size_t>(*quarters)] : std::cos(angle);
+  return quarters ? exact[static_cast<std::size_t>(*quarters)] : af2::cosine(angle);
 }
 
 double power(double base, double exponent) {
   const bool isSmallWhole = exponent == std::round(exponent) && std::abs(exponent) <= 16;
-  if (!isSmallWhole) return finite(std::pow(base, exponent));
+  if (!isSmallWhole) return finite(af2::power(base, exponent));
   double result = 1;
   for (int i = static_cast<int>(std::abs(exponent)); i > 0; --i) result *= base;
   return finite(exponent < 0 ? 1 / result : result);
@@ -126,7 +127,7 @@ class Runner {
       case Op::Tangent:
         return cosine(at(0)) == 0 ? kNoValue : finite(sine(at(0)) / cosine(at(0)));
       case Op::Atan2:
-        return at(0) == 0 && at(1) == 0 ? kNoValue : std::atan2(at(0), at(1));
+        return at(0) == 0 && at(1) == 0 ? kNoValue : af2::angleOf({at(1), at(0)});
       case Op::Absolute:
         return std::abs(at(0));
       case Op::Minimum:

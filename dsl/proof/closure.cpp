@@ -10,6 +10,7 @@
 
 #include "dsl/match/match_sampler.h"
 #include "dsl/proof/test_text.h"
+#include "engine/base/elementary.h"
 #include "engine/run/algorithm.h"
 #include "engine/step/single_step.h"
 #include "engine/surface/plane_chart.h"
@@ -22,7 +23,7 @@ constexpr std::array kAngles{90.0, 180.0, 270.0, 335.0};
 
 Point2 along(double degrees, double length) {
   const double angle = degrees * std::numbers::pi / 180;
-  return {length * std::cos(angle), length * std::sin(angle)};
+  return length * af2::directionAt(angle);
 }
 
 /// d -> a -> b -> c
@@ -52,7 +53,7 @@ std::vector<CountGap> gapsOf(const RuleSet& rules) {
 /// Star-shaped around the origin, counter-clockwise, with edges of about length 1.
 std::vector<Point2> randomLoop(int edges, RandomNumbers& random) {
   const double step = 360.0 / edges;
-  const double radius = 0.5 / std::sin(std::numbers::pi / edges);
+  const double radius = 0.5 / af2::sine(std::numbers::pi / edges);
   std::vector<Point2> loop;
   for (int i = 0; i < edges; ++i)
     loop.push_back(

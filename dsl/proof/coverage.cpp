@@ -7,6 +7,7 @@
 
 #include "dsl/proof/rule_sample.h"
 #include "dsl/proof/test_text.h"
+#include "engine/base/elementary.h"
 #include "engine/base/predicates.h"
 
 namespace af2::dsl {
@@ -18,7 +19,7 @@ constexpr double kDegree = M_PI / 180;
 std::vector<double> lengths(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i) {
-    const double length = low * std::pow(high / low, static_cast<double>(i) / (count - 1));
+    const double length = low * af2::power(high / low, static_cast<double>(i) / (count - 1));
     values.push_back(std::round(length * 1000) / 1000);
   }
   return values;
@@ -33,7 +34,8 @@ std::vector<double> angles() {
 /// Rounds to few digits, so that a situation is easy to describe.
 Point2 polar(double degrees, double radius) {
   const auto round = [](double x) { return std::round(x * 1000) / 1000 + 0.0; };
-  return {round(radius * std::cos(degrees * kDegree)), round(radius * std::sin(degrees * kDegree))};
+  return {round(radius * af2::cosine(degrees * kDegree)),
+          round(radius * af2::sine(degrees * kDegree))};
 }
 
 FrontPiece chainOf(std::vector<Point2> vertices, std::size_t base) {
@@ -179,7 +181,7 @@ bool isOrdinary(const FrontPiece& piece) {
   }
   for (std::size_t i = 1; i + 1 < v.size(); ++i) {
     const Point2 back = v[i - 1] - v[i], ahead = v[i + 1] - v[i];
-    const double turn = std::abs(std::atan2(cross(ahead, back), dot(ahead, back)));
+    const double turn = std::abs(af2::angleOf({dot(ahead, back), cross(ahead, back)}));
     if (turn < 44.5 * kDegree) return false;
   }
   return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.h"
 #include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
@@ -107,7 +108,7 @@ double areaBesideChord(const Step& arc) {
   const Disc circle = roundedCircle(circleOf(arc));
   const Point2 p = arc.from - circle.centre, q = arc.to - circle.centre;
   const LeftArc left = leftArcOf(arc);
-  double sweep = std::atan2(cross(p, q), dot(p, q));
+  double sweep = af2::angleOf({dot(p, q), cross(p, q)});
   if (!left.reversed && sweep < 0) sweep += 2 * M_PI;
   if (left.reversed && sweep > 0) sweep -= 2 * M_PI;
   return 0.5 * (circle.radius * circle.radius * sweep - cross(p, q));

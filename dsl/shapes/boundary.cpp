@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dsl/shapes/arc.h"
+#include "engine/base/elementary.h"
 #include "engine/base/turn.h"
 
 namespace af2::dsl::shapes {
@@ -81,8 +82,8 @@ bool areSame(const Disc& p, const Disc& q) {
   return distance(p.centre, q.centre) <= tolerance && std::abs(p.radius - q.radius) <= tolerance;
 }
 
-double angleOf(Point2 direction) {
-  const double angle = std::atan2(direction.y, direction.x);
+double positiveAngleOf(Point2 direction) {
+  const double angle = af2::angleOf(direction);
   return angle < 0 ? angle + kFullTurn : angle;
 }
 
@@ -96,7 +97,7 @@ void addCuts(const Disc& circle, Point2 point, Point2 direction, std::vector<dou
   if (square < 0) return;
   const Point2 foot = offset * Point2{along.y, -along.x};  // from the centre
   for (const double s : {-std::sqrt(square), std::sqrt(square)})
-    cuts.push_back(angleOf(foot + s * along));
+    cuts.push_back(positiveAngleOf(foot + s * along));
 }
 
 void addCuts(const Disc& circle, const Disc& other, std::vector<double>& cuts) {
@@ -121,7 +122,7 @@ void addCuts(const Disc& circle, const Leaf& leaf, std::vector<double>& cuts) {
 }
 
 Point2 onCircle(const Disc& circle, double angle, double factor = 1) {
-  return circle.centre + factor * circle.radius * Point2{std::cos(angle), std::sin(angle)};
+  return circle.centre + factor * circle.radius * af2::directionAt(angle);
 }
 
 /// A crossing is often a corner of some shape; then the corner itself is used as the end.
@@ -177,7 +178,8 @@ void addPoints(const Piece& piece, double sag, std::vector<Point2>& loop) {
   if (piece.arc) {
     const auto& [circle, start, sweep] = *piece.arc;
     const double ratio = std::clamp(1 - sag / circle.radius, -1.0, 1.0);
-    const double step = std::clamp(2 * std::acos(ratio), 0.01, 0.8);
+    const double step =
+        std::clamp(2 * af2::angleOf({ratio, std::sqrt(1 - ratio * ratio)}), 0.01, 0.8);
     const int count = static_cast<int>(std::ceil(std::abs(sweep) / step));
     for (int i = 1; i < count; ++i) loop.push_back(onCircle(circle, start + sweep * i / count));
   }

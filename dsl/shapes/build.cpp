@@ -7,6 +7,7 @@
 #include "dsl/shapes/arc.h"
 #include "dsl/shapes/boundary.h"
 #include "dsl/shapes/path.h"
+#include "engine/base/elementary.h"
 #include "engine/base/predicates.h"
 
 namespace af2::dsl::shapes {
@@ -81,7 +82,7 @@ Point2 directionAt(double angle) {
   const double quarters = angle / (M_PI / 2);
   const double nearest = std::round(quarters);
   if (std::abs(quarters - nearest) > 1e-15 * std::max(1.0, std::abs(nearest)))
-    return {std::cos(angle), std::sin(angle)};
+    return af2::directionAt(angle);
   const int quarter = static_cast<int>(nearest - 4 * std::floor(nearest / 4));
   constexpr Point2 kDirections[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   return kDirections[quarter];

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "engine/base/elementary.h"
 #include "engine/base/point.h"
 
 namespace af2 {
@@ -34,7 +35,7 @@ inline double smallestAngle(std::span<const Point2> corners) {
   for (std::size_t i = 0; i < n; ++i) {
     const Point2 ahead = corners[(i + 1) % n] - corners[i];
     const Point2 behind = corners[(i + n - 1) % n] - corners[i];
-    smallest = std::min(smallest, std::atan2(std::abs(cross(ahead, behind)), dot(ahead, behind)));
+    smallest = std::min(smallest, angleOf({dot(ahead, behind), std::abs(cross(ahead, behind))}));
   }
   return smallest;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 
 namespace af2 {
@@ -80,7 +81,7 @@ std::vector<double> MeshTopology::anglesAtFixed() const {
   forAllCorners(mesh_, [&](Corner c) {
     if (!isFixed(vertexAt(c))) return;
     const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
-    angles[vertexAt(c).value] += std::atan2(length(cross(p, q)), dot(p, q));
+    angles[vertexAt(c).value] += angleBetween(p, q);
   });
   return angles;
 }

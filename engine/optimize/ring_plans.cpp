@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/base/elementary.h"
 #include "engine/optimize/ring_outline.h"
 
 namespace af2 {
@@ -159,7 +160,7 @@ class Planner {
 
   double badnessOf(Point2 from, Point2 to, int edges) const {
     constexpr double kShortest = 1e-3;
-    const double off = std::log(std::max(distance(from, to) / (edges * unit_), kShortest));
+    const double off = logarithm(std::max(distance(from, to) / (edges * unit_), kShortest));
     return edges * off * off;
   }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "engine/run/region_loops.h"
 
 namespace af2::region {
@@ -20,7 +21,7 @@ struct Change {
 /// The cheaper one of an edge more and an edge less.
 Change cheapestChange(std::size_t index, const Cut& cut, double wanted) {
   const auto cost = [&](std::size_t edges) {
-    const double change = std::log(static_cast<double>(edges) / wanted);
+    const double change = logarithm(static_cast<double>(edges) / wanted);
     return static_cast<double>(cut.edges()) * change * change;
   };
   const std::size_t more = cut.edges() + 1, fewer = cut.edges() - 1;

@@ -1,5 +1,4 @@
-// Angles and directions by arithmetic alone: the same bits on every machine, which no library of
-// mathematical functions promises.
+// Whole turns of angles, and sharp turns of normals.
 #pragma once
 
 #include <cmath>
@@ -10,13 +9,6 @@
 namespace af2::geometry {
 
 inline constexpr double kPi = std::numbers::pi;
-
-/// (cos, sin) of an angle in radians, whose absolute value is at most 1e6; accurate to a few units
-/// in the last place.
-Point2 directionAt(double angle);
-
-/// The angle of a direction, in [-pi, pi]; 0 for the zero vector.
-double angleOf(Point2 direction);
 
 /// The number of whole turns to add to an angle so that it is nearest to another one.
 inline double turnsTowards(double angle, double near) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 TorusMap::TorusMap(const AxisFrame& frame, const TorusSurface& surface)

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 Point3 AxisFrame::radial(double angle) const {

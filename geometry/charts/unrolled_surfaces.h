@@ -1,6 +1,7 @@
 // Cylinder and cone unrolled into the plane: isometries, in closed form.
 #pragma once
 
+#include "engine/base/elementary.h"
 #include "geometry/base/turns.h"
 #include "geometry/charts/metric_chart.h"
 #include "geometry/charts/plane_map.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/check/boundary_crossings.h"
 
@@ -123,7 +124,7 @@ class DrawnOutline {
     std::vector<Way> ways;
     const auto add = [&](std::uint32_t vertex, std::uint32_t other, bool isOut) {
       const Point2 d = at(other) - at(vertex);
-      ways.push_back({vertex, std::atan2(d.y, d.x), isOut});
+      ways.push_back({vertex, angleOf(d), isOut});
     };
     for (const DrawnSide& side : touching) add(side.from, side.to, true);
     for (const DrawnSide& side : sides_)

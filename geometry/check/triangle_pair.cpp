@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -62,7 +64,7 @@ bool areFolded(const Point3& a, const Point3& b, const Point3& c, const Point3& 
     return way - dot(way, edge) * edge;
   };
   const Point3 one = across(c), other = across(d);
-  return std::atan2(length(cross(one, other)), dot(one, other)) < angle;
+  return angleBetween(one, other) < angle;
 }
 
 }  // namespace af2::geometry

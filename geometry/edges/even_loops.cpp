@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/disjoint_sets.h"
 #include "geometry/edges/odd_nodes.h"
 
@@ -34,7 +35,7 @@ std::optional<double> costOf(const SegmentCount& count, int change) {
   if (change < 0 && count.segments <= std::max<std::size_t>(1, count.least)) return std::nullopt;
   constexpr double kShortest = 1e-6;  // keeps costs finite
   const auto now = static_cast<double>(count.segments);
-  const double distortion = std::log((now + change) / std::max(count.wanted, kShortest));
+  const double distortion = logarithm((now + change) / std::max(count.wanted, kShortest));
   return now * distortion * distortion;
 }
 

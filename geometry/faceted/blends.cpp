@@ -6,6 +6,7 @@
 #include <queue>
 #include <tuple>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/constants.h"
 
 namespace af2::geometry {

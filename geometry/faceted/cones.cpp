@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/base/elementary.h"
 #include "geometry/faceted/flats.h"
 
 namespace af2::geometry {
@@ -60,7 +61,7 @@ class ConeCut {
 
   /// From the largest flat that is left, in the order of the angle to it.
   void grow() {
-    const double kCone = std::cos(angle_);
+    const double kCone = cosine(angle_);
     std::vector<std::uint32_t> order(flats_.flats.size());
     std::iota(order.begin(), order.end(), 0u);
     std::ranges::stable_sort(order, std::ranges::greater(),
@@ -92,7 +93,7 @@ class ConeCut {
 
   /// A triangle stays in the cone of its piece, or not far beyond.
   void straighten() {
-    const double widest = std::cos(4 * angle_ / 3);
+    const double widest = cosine(4 * angle_ / 3);
     straightenBorders(
         facets_, twins_, piece_, [&](HalfEdge h) { return isBorder(h); },
         [&](std::uint32_t t, std::uint32_t piece) { return along(t, piece) > widest; });

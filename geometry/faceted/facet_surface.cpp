@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/faceted/facet_layout.h"
@@ -71,7 +72,7 @@ struct FacetSurface::Data {
       for (std::size_t i = 0; i < 3; ++i) {
         const Point3 p = vertices[t[(i + 1) % 3]] - vertices[t[i]];
         const Point3 q = vertices[t[(i + 2) % 3]] - vertices[t[i]];
-        const double angle = std::atan2(length(cross(p, q)), dot(p, q));
+        const double angle = angleBetween(p, q);
         normals[t[i]] = normals[t[i]] + (trust * angle) * ofTriangles[k];
       }
     }

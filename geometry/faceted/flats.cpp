@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/constants.h"
 
 namespace af2::geometry {
@@ -36,7 +37,7 @@ class Growth {
     ++count_;
   }
   bool isAlike(std::uint32_t t, std::uint32_t first) const {
-    static const double kAlike = std::cos(3 * kDegree);
+    static const double kAlike = cosine(3 * kDegree);
     return normals_[t] == Point3{} || dot(normals_[t], normals_[first]) > kAlike;
   }
 
@@ -47,10 +48,6 @@ class Growth {
 };
 
 }  // namespace
-
-double angleBetween(const Point3& p, const Point3& q) {
-  return std::atan2(length(cross(p, q)), dot(p, q));
-}
 
 double lengthOf(const Facets& facets, HalfEdge h) {
   return distance(facets.vertices[startOf(facets.triangles, h)],

@@ -10,7 +10,6 @@
 
 namespace af2::geometry {
 
-double angleBetween(const Point3& p, const Point3& q);
 double lengthOf(const Facets& facets, HalfEdge h);
 double areaOf(const Facets& facets, std::uint32_t triangle);
 Point3 middleOf(const Facets& facets, std::uint32_t triangle);

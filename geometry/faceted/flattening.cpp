@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/elementary.h"
 #include "engine/base/predicates.h"
 #include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/sparse_system.h"
@@ -102,7 +103,7 @@ class Flattening {
     double way = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {
       const double angle = 2 * std::numbers::pi * way / whole;
-      places_[rim[i]] = {radius * std::cos(angle), radius * std::sin(angle)};
+      places_[rim[i]] = radius * directionAt(angle);
       isOnRim_[rim[i]] = true;
       way += distance(vertices_[rim[i]], vertices_[rim[(i + 1) % rim.size()]]);
     }
@@ -144,7 +145,7 @@ class Flattening {
   /// Kept away from the ends, where triangles have no area.
   static double tangentOfHalf(const Point3& p, const Point3& q) {
     constexpr double kMin = 1e-3, kMax = 1e3;
-    return std::clamp(std::tan(std::atan2(length(cross(p, q)), dot(p, q)) / 2), kMin, kMax);
+    return std::clamp(tangent(angleBetween(p, q) / 2), kMin, kMax);
   }
 
   std::vector<Point3> vertices_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/elementary.h"
 #include "geometry/faceted/flats.h"
 
 namespace af2::geometry {
@@ -33,8 +34,8 @@ Matrix momentsOf(const Facets& facets, const std::vector<std::uint32_t>& triangl
 void rotate(Matrix& a, std::array<Point3, 3>& axes, std::size_t p, std::size_t q) {
   if (a[p][q] == 0) return;
   const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-  const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::hypot(theta, 1));
-  const double c = 1 / std::hypot(t, 1), s = t * c;
+  const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + length(Point2{theta, 1}));
+  const double c = 1 / length(Point2{t, 1}), s = t * c;
   for (std::size_t k = 0; k < 3; ++k) {
     const double kp = a[k][p], kq = a[k][q];
     a[k][p] = c * kp - s * kq;

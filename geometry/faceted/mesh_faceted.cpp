@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "geometry/base/constants.h"

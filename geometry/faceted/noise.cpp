@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/constants.h"
 #include "geometry/base/disjoint_sets.h"
 
@@ -133,7 +134,7 @@ class Denoising {
         if (twins_[h] == kNoHalfEdge) continue;
         const std::uint32_t other = twins_[h] / 3;
         const double off = distance(normals_[t], normals_[other]) / width;
-        const double weight = weights == Weights::Plain ? 1 : std::exp(-off * off / 2);
+        const double weight = weights == Weights::Plain ? 1 : exponential(-off * off / 2);
         sum = sum + (weight * areas_[other]) * normals_[other];
       }
       next[t] = unit(sum);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/box_tree.h"
 #include "geometry/faceted/blends.h"
 #include "geometry/faceted/directions.h"

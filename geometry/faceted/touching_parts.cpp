@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/disjoint_sets.h"
 #include "geometry/base/plane_axes.h"
 #include "geometry/faceted/half_edges.h"
@@ -88,7 +89,7 @@ class Parting {
     std::vector<Wing> wings;
     for (const HalfEdge h : halves) {
       const Point3 apex = at(startOf(previousIn(h))) - at(low);
-      const double angle = std::atan2(dot(apex, axes.yAxis()), dot(apex, axes.xAxis()));
+      const double angle = angleOf({dot(apex, axes.xAxis()), dot(apex, axes.yAxis())});
       wings.push_back({h, angle, startOf(h) == low});
     }
     std::ranges::sort(wings, [](const Wing& p, const Wing& q) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/base/constants.h"
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "engine/mesh/mesh_check.h"
 #include "geometry/charts/laid_out.h"
@@ -118,7 +119,7 @@ double elementsBeside(const FrontInput& input) {
           distance(loop[i].point.position, loop[(i + 1) % loop.size()].point.position));
       longest = std::max(longest, lengths.back());
     }
-  for (const double length : lengths) sum += length > 0 ? 1 + std::log(longest / length) : 1;
+  for (const double length : lengths) sum += length > 0 ? 1 + logarithm(longest / length) : 1;
   return kElementsBesideSegment * (sum + static_cast<double>(input.isolated.size()));
 }
 

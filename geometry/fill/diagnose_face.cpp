@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "engine/base/parallel.h"
 #include "engine/mesh/element_area.h"
 #include "engine/mesh/element_shape.h"
@@ -99,7 +100,7 @@ double leastAngle(const Mesh& mesh, std::span<const VertexId> c) {
       return mesh.vertices[c[k % c.size()].value].position;
     };
     const Point3 p = at(i + 1) - at(i), q = at(i + c.size() - 1) - at(i);
-    least = std::min(least, std::atan2(length(cross(p, q)), dot(p, q)));
+    least = std::min(least, angleBetween(p, q));
   }
   return least * 180 / std::numbers::pi;
 }
@@ -254,7 +255,7 @@ void openAngles(const Mesh& mesh, const FrontInput& boundary, double unseen, con
     ++poor;
     found.isBad = found.isBad || angle < kUselessAngle;
     // The worst one counts: shorter edges make more of them, though better ones.
-    found.poorness = std::max(found.poorness, std::log(kSharpAngle / std::max(angle, 1e-6)));
+    found.poorness = std::max(found.poorness, logarithm(kSharpAngle / std::max(angle, 1e-6)));
     const double aim = std::clamp(kAngleOpening * angle, kMinOpenedAngle, kMaxOpenedAngle);
     openAngle(mesh, c, std::max(angle / aim, kMinOpeningShare), isLeast, found.places);
   }

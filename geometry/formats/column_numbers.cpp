@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -40,7 +42,7 @@ int mostDigits(double value, std::size_t columns, std::string (*form)(const std:
   const double size = std::abs(value);
   const std::size_t sign = value < 0 ? 1 : 0;
   // Digits that end before the point may do without it.
-  const bool mayEndBefore = size >= std::pow(10.0, static_cast<double>(columns) - 2);
+  const bool mayEndBefore = size >= power(10, static_cast<double>(columns) - 2);
   std::size_t ofFixed = sign + (mayEndBefore ? 0 : 1);
   for (double place = 1; place > size && ofFixed < ofScientific; place /= 10) ++ofFixed;
   const std::size_t least = std::min(ofScientific, ofFixed);

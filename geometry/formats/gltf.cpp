@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "geometry/base/box_tree.h"
 #include "geometry/formats/group_members.h"
@@ -37,7 +38,7 @@ double metresIn(const std::string& unit) {
 /// A component of a colour as files of models have it, between 0 and 255, as the format wants it.
 double linear(int component) {
   const double c = component / 255.;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return c <= 0.04045 ? c / 12.92 : power((c + 0.055) / 1.055, 2.4);
 }
 
 GltfJson materialOf(const std::string& name, const std::array<int, 3>& color) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -82,12 +84,12 @@ class RunMaker {
       corner.kind = Kind::End;
       corner.endsOnBoundary =
           mayEndOnBoundary(corner.turn) && levelsOnBoundary(c, corner.turn).levels > 0;
-      if (corner.endsOnBoundary) corner.lean = -1 / std::tan(corner.turn);
+      if (corner.endsOnBoundary) corner.lean = -1 / tangent(corner.turn);
     } else if (corner.turn > kSharpest || blocked_.contains(loop.at(inLoop(c)).vertex)) {
       corner.kind = Kind::End;
     } else if (corner.turn > kLeast) {
       corner.kind = Kind::Leaning;
-      corner.lean = std::tan(corner.turn / 2);
+      corner.lean = tangent(corner.turn / 2);
     } else if (corner.turn < kFan) {
       corner.kind = Kind::Fan;
     }
@@ -125,7 +127,7 @@ class RunMaker {
       if (blocked_.contains(loop.at(next).vertex)) break;
       if (levels > 0 && std::abs(loop.turnAt(beyond(c, levels))) > kStraight) break;
       away += distance(loop.at(beyond(c, levels)).point.position, loop.at(next).point.position);
-      const double height = away * std::sin(turn);
+      const double height = away * sine(turn);
       if (levels == 0) found.share = shareOf(height / tops_[1], kNear);
       const double layer = tops_[levels + 1] - tops_[levels];
       if (std::abs(height - found.share * tops_[levels + 1]) > kNear * found.share * layer) break;
@@ -245,7 +247,7 @@ class RunMaker {
     const int fan = fans_++;
     for (int k = 0; k <= sectors; ++k) {
       const double at = turn * k / sectors;
-      addColumn(c, std::cos(at) * left + std::sin(at) * in, fan);
+      addColumn(c, cosine(at) * left + sine(at) * in, fan);
     }
   }
 

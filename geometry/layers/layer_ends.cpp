@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -17,7 +19,7 @@ double lengthOf(const DividedEdge& edge, const DividedEdges& divided) {
 std::vector<double> lengthsAlong(const LayerHeights& heights, double turn) {
   std::vector<double> lengths = heights.tops();
   lengths.erase(lengths.begin());
-  for (double& length : lengths) length /= std::sin(turn);
+  for (double& length : lengths) length /= sine(turn);
   return lengths;
 }
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 /// Where there is no room, layers become thinner, down to this share of the heights asked for.
@@ -18,7 +20,7 @@ struct LayerHeights {
   double growth = 1;  ///< ratio of the heights of successive layers, > 0
   int count = 0;      ///< > 0
 
-  double of(int layer) const { return first * std::pow(growth, layer - 1); }  ///< 1: the first
+  double of(int layer) const { return first * power(growth, layer - 1); }  ///< 1: the first
   /// The distance from the edge to the top of each layer; [0] is 0.
   std::vector<double> tops() const {
     std::vector<double> tops{0};

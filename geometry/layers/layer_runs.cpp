@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 Point3 LoopView::direction(std::size_t from, std::size_t to, std::size_t in) const {
@@ -17,7 +19,7 @@ Point3 LoopView::direction(std::size_t from, std::size_t to, std::size_t in) con
 double LoopView::turnAt(std::size_t corner) const {
   if (at(before(corner)).vertex == at(corner + 1).vertex) return -std::numbers::pi;
   const Point3 in = directionIn(corner), out = directionOut(corner);
-  return std::atan2(dot(cross(in, out), at(corner).point.normal), dot(in, out));
+  return angleOf({dot(in, out), dot(cross(in, out), at(corner).point.normal)});
 }
 
 std::vector<std::vector<int>> edgesOfSegments(const FaceBoundary& boundary,

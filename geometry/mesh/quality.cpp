@@ -8,6 +8,7 @@
 #include <ranges>
 #include <utility>
 
+#include "engine/base/elementary.h"
 #include "engine/base/parallel.h"
 #include "geometry/mesh/mesh_sides.h"
 #include "geometry/spool/samples.h"
@@ -56,7 +57,7 @@ struct Corner {
   double sine = 0, cosine = 1;  ///< times the lengths of both sides
 
   Corner(const Point3& p, const Point3& q) : sine(length(cross(p, q))), cosine(dot(p, q)) {}
-  double degrees() const { return std::atan2(sine, cosine) * 180 / std::numbers::pi; }
+  double degrees() const { return angleOf({cosine, sine}) * 180 / std::numbers::pi; }
   bool isSharperThan(const Corner& other) const {
     const double turn = other.sine * cosine - sine * other.cosine;
     return turn > 0 || (turn == 0 && cosine > 0 && other.cosine < 0);  // 0 and 180 degrees

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 namespace {
 
@@ -60,7 +62,7 @@ double aspectRatio(CornerPoints corners) {
 double cornerAngle(CornerPoints corners, std::size_t i) {
   const Point3 p = toNext(corners, i), q = toPrevious(corners, i);
   const Point3 turn = cross(p, q);
-  const double angle = std::atan2(length(turn), dot(p, q)) * 180 / std::numbers::pi;
+  const double angle = angleOf({dot(p, q), length(turn)}) * 180 / std::numbers::pi;
   const bool isReflex = corners.size() == 4 && dot(turn, areaVector(corners)) < 0;
   return isReflex ? 360 - angle : angle;
 }

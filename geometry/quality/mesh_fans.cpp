@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/disjoint_sets.h"
 #include "geometry/quality/element_measures.h"
 
@@ -68,7 +69,7 @@ void MeshFans::joinElements(const ModelMesh& mesh, double featureDegrees) {
   for (const EdgeSegment& segment : mesh.segments)
     kept.push_back(std::minmax(segment.from, segment.to));
   std::ranges::sort(kept);
-  const double leastCosine = std::cos(featureDegrees * std::numbers::pi / 180);
+  const double leastCosine = cosine(featureDegrees * std::numbers::pi / 180);
   DisjointSets pieces(mesh.elements.size());
   MeshSides(mesh).forEachEdge([&](VertexId lower, std::span<const MeshSide> sides) {
     for (const MeshSide& side : sides)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/base/elementary.h"
 #include "geometry/retry/retry_limits.h"
 
 namespace af2::geometry {
@@ -184,7 +185,7 @@ class SharedDiagonals {
       for (std::size_t i = 0; i < 3; ++i) {
         const Point3 a = at(mesh, corners[(i + 1) % 3]) - at(mesh, corners[i]);
         const Point3 b = at(mesh, corners[(i + 2) % 3]) - at(mesh, corners[i]);
-        least = std::min(least, std::atan2(length(cross(a, b)), dot(a, b)));
+        least = std::min(least, angleBetween(a, b));
       }
     }
     return least;

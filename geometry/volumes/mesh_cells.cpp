@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/box_tree.h"
 #include "geometry/volumes/triangle_sides.h"
 
@@ -141,8 +142,8 @@ class CellFinder {
       const auto [a, b, c] = corners(side / 2);
       const Point3 x = a - p, y = b - p, z = c - p;
       const double i = length(x), j = length(y), k = length(z);
-      const double half = std::atan2(dot(x, cross(y, z)),
-                                     i * j * k + dot(x, y) * k + dot(y, z) * i + dot(z, x) * j);
+      const double half =
+          angleOf({i * j * k + dot(x, y) * k + dot(y, z) * i + dot(z, x) * j, dot(x, cross(y, z))});
       angle += side % 2 == 0 ? -half : half;
     }
     return angle / (2 * std::numbers::pi);

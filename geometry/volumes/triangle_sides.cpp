@@ -5,6 +5,7 @@
 #include <span>
 #include <tuple>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/disjoint_sets.h"
 
 namespace af2::geometry {
@@ -61,7 +62,7 @@ void sortAround(const Point3& from, const Point3& to, const std::vector<Point3>&
   const Point3 zero = unit(across(around.front())), quarter = cross(axis, zero);
   for (TriangleAtEdge& triangle : around) {
     const Point3 way = across(triangle);
-    triangle.angle = std::atan2(dot(way, quarter), dot(way, zero));
+    triangle.angle = angleOf({dot(way, zero), dot(way, quarter)});
   }
   std::ranges::sort(around, {}, [](const TriangleAtEdge& triangle) {
     return std::tuple(triangle.angle, triangle.triangle);

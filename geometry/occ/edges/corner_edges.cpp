@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/edges/edge_parts.h"
 #include "geometry/occ/sizes/sizing.h"
@@ -38,7 +39,7 @@ Point3 awayFrom(const EdgeSamples& samples, bool first, double reach) {
 
 /// By how much one direction turns to the left into another, seen against a normal.
 double turnBetween(const Point3& from, const Point3& to, const Point3& normal) {
-  return std::atan2(dot(unit(normal), cross(from, to)), dot(from, to));
+  return angleOf({dot(from, to), dot(unit(normal), cross(from, to))});
 }
 
 /// One face around its short edges.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/curved_integral.h"
@@ -29,17 +30,17 @@ std::optional<Strip> closedForm(const GeomAdaptor_Surface& surface, const Spline
       return [=, r = surface.Cylinder().Radius()](double u, double) { return r * (u - from); };
     case GeomAbs_Sphere:
       return [=, r = surface.Sphere().Radius()](double u, double v) {
-        return r * r * std::cos(v) * (u - from);
+        return r * r * cosine(v) * (u - from);
       };
     case GeomAbs_Cone: {
-      const double r = surface.Cone().RefRadius(), sine = std::sin(surface.Cone().SemiAngle());
+      const double r = surface.Cone().RefRadius(), sine = af2::sine(surface.Cone().SemiAngle());
       if ((r + box.v1 * sine) * (r + box.v2 * sine) < 0) return std::nullopt;  // on both nappes
       return [=](double u, double v) { return (r + v * sine) * (u - from); };
     }
     case GeomAbs_Torus: {
       const double major = surface.Torus().MajorRadius(), minor = surface.Torus().MinorRadius();
       if (minor > major) return std::nullopt;
-      return [=](double u, double v) { return minor * (major + minor * std::cos(v)) * (u - from); };
+      return [=](double u, double v) { return minor * (major + minor * cosine(v)) * (u - from); };
     }
     default:
       return std::nullopt;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "engine/base/place_text.h"
 #include "geometry/check/element_crossings.h"
 #include "geometry/occ/surfaces/face_surface.h"
@@ -225,7 +226,8 @@ class FaultSearch {
     constexpr double kApart = 0.5;   // of the distance in parameters at the start
     constexpr double kExact = 1e-9;  // of the size
     const auto apart = [&] {
-      return std::hypot((a[0] - b[0]) / (box_.u2 - box_.u1), (a[1] - b[1]) / (box_.v2 - box_.v1));
+      return length(
+          Point2{(a[0] - b[0]) / (box_.u2 - box_.u1), (a[1] - b[1]) / (box_.v2 - box_.v1)});
     };
     const double atStart = apart();
     for (int step = 0; step < kMostSteps; ++step) {
@@ -276,7 +278,7 @@ double leastAngleOf(const ModelMesh& mesh, const Element& element) {
   double least = std::numbers::pi;
   for (std::size_t i = 0; i < count; ++i) {
     const Point3 out = at(i + 1) - at(i), in = at(i + count - 1) - at(i);
-    least = std::min(least, std::atan2(length(cross(out, in)), dot(out, in)));
+    least = std::min(least, angleBetween(out, in));
   }
   return least;
 }
@@ -300,7 +302,8 @@ std::string needleTipOf(const FaceSurface& surface) {
   constexpr double kNeedle = 2.3 * std::numbers::pi / 180;  // four elements of half a degree
   for (const SharpTip& tip : surface.sharpTips()) {
     if (tip.angle >= kNeedle) continue;
-    const double opening = 2 * std::asin(tip.angle / (2 * std::numbers::pi));
+    const double sine = tip.angle / (2 * std::numbers::pi);
+    const double opening = 2 * angleOf({std::sqrt(1 - sine * sine), sine});
     return "it ends in a tip of " + af2::textOf(opening * 180 / std::numbers::pi, 2) +
            " degrees at " + af2::textOf(tip.position);
   }

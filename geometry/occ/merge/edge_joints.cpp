@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/elementary.h"
 #include "engine/base/parallel.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/surfaces/face_surface.h"
@@ -101,8 +102,7 @@ void compare(const ModelShape& model, const TopoDS_Edge& edge, const FaceSide& o
       joint.normalOfOne = a.normal;
       joint.normalOfOther = b.normal;
     }
-    largest =
-        std::max(largest, std::atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
+    largest = std::max(largest, angleBetween(a.normal, b.normal));
     const double bend = std::abs(a.across - b.across);
     // A tube is as tight along the edges around it.
     if (2 * std::min(std::abs(a.along), std::abs(b.along)) < bend)

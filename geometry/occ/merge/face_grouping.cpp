@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/base/elementary.h"
 #include "geometry/base/constants.h"
 #include "geometry/base/disjoint_sets.h"
 
@@ -170,9 +171,9 @@ class Grouping {
   /// Whether elements that reach from the host across the strip come near enough to both, and the
   /// other side does not fold back onto the host.
   bool isShallow(const Strip& strip, const Shared& host, const Shared& other) const {
-    const double rise = strip.width() * std::sin(std::min(host.angle, 90 * kDegree));
+    const double rise = strip.width() * sine(std::min(host.angle, 90 * kDegree));
     return host.mayBeCrossed && host.angle <= kMaxFold && other.angle <= kMaxFold &&
-           dot(host.normal, other.normal) >= std::cos(kMaxFold) && rise <= strip.narrow / 2;
+           dot(host.normal, other.normal) >= cosine(kMaxFold) && rise <= strip.narrow / 2;
   }
 
   const GroupingInput& in_;
@@ -189,7 +190,7 @@ double mostTurnAt(const GroupingInput& input, std::size_t edge) {
   double turn = input.angle;
   for (const int face : input.model.facesOfEdges[edge]) {
     const auto f = static_cast<std::size_t>(face) - 1;
-    turn = std::min(turn, std::atan(4 * input.chords[f] / input.sizes[f]));
+    turn = std::min(turn, angleOf({input.sizes[f], 4 * input.chords[f]}));
   }
   return turn;
 }

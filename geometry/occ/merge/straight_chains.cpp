@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/elementary.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {
@@ -131,7 +132,7 @@ class ChainFinder {
 
   double turnBetween(const ChainLink& one, const ChainLink& next) const {
     const Point3 a = directionAt(one, false), b = directionAt(next, true);
-    return std::atan2(length(cross(a, b)), dot(a, b));
+    return angleBetween(a, b);
   }
 
   double mostTurn(const ChainLink& link) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/elementary.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -18,7 +19,7 @@ class FaceMap {
   }
   /// Around a line; axis of unit length, angle in radians.
   static FaceMap rotation(const Point3& onAxis, const Point3& axis, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+    const double c = cosine(angle), s = sine(angle), d = 1 - c;
     const auto& [x, y, z] = axis;
     FaceMap map({c + x * x * d, x * y * d - z * s, x * z * d + y * s, 0,  //
                  y * x * d + z * s, c + y * y * d, y * z * d - x * s, 0,  //

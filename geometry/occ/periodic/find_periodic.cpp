@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
@@ -82,9 +83,9 @@ std::vector<FaceMap> rotationsBetween(const FacePlane& one, const FacePlane& oth
   const Point3 onAxis =
       1 / (sine * sine) * (d1 * cross(other.normal, along) + d2 * cross(along, one.normal));
   // The image of the first normal is the second, or its opposite.
-  const double angle = std::atan2(sine, dot(one.normal, other.normal));
+  const double angle = angleOf({dot(one.normal, other.normal), sine});
   std::vector<FaceMap> maps;
-  for (const double turn : {angle, angle - std::acos(-1.0), angle + std::acos(-1.0)})
+  for (const double turn : {angle, angle - std::numbers::pi, angle + std::numbers::pi})
     maps.push_back(FaceMap::rotation(onAxis, axis, turn));
   return maps;
 }

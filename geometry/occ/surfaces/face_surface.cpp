@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "engine/base/error.h"
 #include "engine/surface/plane_chart.h"
 #include "geometry/charts/normal_line_chart.h"
@@ -70,7 +71,7 @@ SplineSurface::Box boxOf(const TopoDS_Face& face) {
 std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
                                    const Point3& position, const Point3& normal, double extent) {
   const double v1 = bounds.v1, v2 = bounds.v2;
-  const double sine = std::sin(cone.SemiAngle());
+  const double sine = af2::sine(cone.SemiAngle());
   const double reference = cone.RefRadius();
   const double slack = 1e-9 * (std::abs(reference) + std::abs(sine) * (v2 - v1));
   const double low = std::min(reference + v1 * sine, reference + v2 * sine);
@@ -80,7 +81,7 @@ std::optional<ConeSurface> nappeOf(const gp_Cone& cone, const Bounds& bounds,
   const Point3 apex = toPoint(cone.Apex());
   Point3 axis = toPoint(cone.Axis().Direction());
   if (dot(position - apex, axis) < 0) axis = -1 * axis;
-  const double tangent = std::abs(std::tan(cone.SemiAngle()));
+  const double tangent = std::abs(af2::tangent(cone.SemiAngle()));
   return oriented(ConeSurface(apex, axis, tangent, Side::Outer, extent),
                   ConeSurface(apex, axis, tangent, Side::Inner, extent), position, normal);
 }
@@ -105,7 +106,7 @@ std::shared_ptr<const UnrolledSurface> unrolled(const gp_Cone& cone, const ConeS
 }
 
 bool reachesTip(const gp_Cone& cone, const Bounds& bounds) {
-  const double tip = -cone.RefRadius() / std::sin(cone.SemiAngle());
+  const double tip = -cone.RefRadius() / af2::sine(cone.SemiAngle());
   const double slack = 1e-6 * (bounds.v2 - bounds.v1);
   return tip > bounds.v1 - slack && tip < bounds.v2 + slack;
 }

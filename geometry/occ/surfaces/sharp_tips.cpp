@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/elementary.h"
+
 namespace af2::geometry {
 
 namespace {
@@ -85,10 +87,10 @@ SharpTips::SharpTips(const GeneralSurface& surface, const SplineSurface::Box& bo
     const double slack = kPoint * reachFromStart(alongSide(surface, box, side, 0.5));
     if (reachFromStart(points) >= slack || !isSharp(surface, box, side)) continue;
     const auto [angle, turn] = aroundTip(surface, box, side);
-    const double halfAngle = std::atan2(angle, turn);  // of the cone that is as sharp
+    const double halfAngle = angleOf({turn, angle});  // of the cone that is as sharp
     const bool isAlongU = side < 2;
     const double length = isAlongU ? box.u2 - box.u1 : box.v2 - box.v1;
-    tips_.push_back({{points.front().position, slack, 2 * std::numbers::pi * std::sin(halfAngle)},
+    tips_.push_back({{points.front().position, slack, 2 * std::numbers::pi * sine(halfAngle)},
                      meanNormal(alongSide(surface, box, side, kNear)),
                      isAlongU,
                      angle / length});

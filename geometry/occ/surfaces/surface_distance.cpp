@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {
@@ -57,15 +58,15 @@ std::unique_ptr<FaceDistance> quadric(const BRepAdaptor_Surface& surface) {
       return made([axis = Axis(surface.Torus().Position()), major = surface.Torus().MajorRadius(),
                    minor = surface.Torus().MinorRadius()](const Point3& p) {
         const FromAxis at = axis.at(p);
-        return std::abs(std::hypot(at.away - major, at.along) - minor);
+        return std::abs(length(Point2{at.away - major, at.along}) - minor);
       });
     case GeomAbs_Cone:
       return made([axis = Axis(surface.Cone().Position()), radius = surface.Cone().RefRadius(),
                    angle = surface.Cone().SemiAngle()](const Point3& p) {
         // The nearer one of both nappes, as lines in the plane through the axis.
         const FromAxis at = axis.at(p);
-        const double on = radius + at.along * std::tan(angle);
-        return std::cos(angle) * std::min(std::abs(at.away - on), std::abs(at.away + on));
+        const double on = radius + at.along * tangent(angle);
+        return cosine(angle) * std::min(std::abs(at.away - on), std::abs(at.away + on));
       });
     default:
       return nullptr;
