@@ -59,7 +59,7 @@ SuiteCase fileCase(const fs::path& model, double size) {
     request.model = model;
     request.options = options;
     request.options.sizes.size = size;
-    return runMesh(request, rules.rules, {false, options.stop});
+    return runMesh(request, rules.rules, {false, [&] { return options.stop; }});
   };
   return {fmt::format("{}, size {:.4g}", model.filename().string(), size), mesh,
           modelKindOf(model) == ModelKind::Planar, modelKindOf(model) == ModelKind::Cad};

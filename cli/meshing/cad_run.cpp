@@ -133,11 +133,11 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   }
   if (request.imprint.isAsked) {
     bar.show("imprinting", 0, request.model.filename().string());
-    model = imprintedModel(model, request.imprint, control.stop);
+    model = imprintedModel(model, request.imprint, control.stop());
   }
   model = withInside(model, request.inside);
   geometry::PartContacts contacts;
-  if (!control.stop.stop_requested()) contacts = contactsToTell(request, model);
+  if (!control.stop().stop_requested()) contacts = contactsToTell(request, model);
   const double readSeconds = reading.seconds();
   checkUnit(request.scale, model.unit());
   checkIds(request, model.faceCount(), model.edgeCount());
@@ -152,7 +152,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
   // model is not tried again.
   const int last = model.faceCount();
   if (request.heal && !request.imprint.isAsked && geometry::hasFaults(mesh) &&
-      !request.asksByNumber() && !control.stop.stop_requested() &&
+      !request.asksByNumber() && !control.stop().stop_requested() &&
       givenUp.upper_bound(last) == givenUp.end())
     mesh = geometry::sounderMesh(std::move(mesh), meshed(withInside(asRead, request.inside), last));
   if (!request.healingEnd.empty())

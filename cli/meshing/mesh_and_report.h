@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <stop_token>
 
 #include "cli/meshing/mesh_request.h"
+#include "cli/meshing/mesh_run.h"
 #include "cli/program/supervisor.h"
 #include "geometry/io/report.h"
 
@@ -12,7 +12,7 @@ namespace af2::cli {
 
 /// Who watches a run.
 struct RunWatch {
-  std::stop_token stop;
+  StopFunction stop = neverStopped;
   RunLog* log = nullptr;             ///< of a supervised run
   const GivenUp* givenUp = nullptr;  ///< faces that must not be tried again
   /// Told the mesh before files are written; may be empty.

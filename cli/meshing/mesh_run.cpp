@@ -52,7 +52,7 @@ void tellNames(const RunControl& control, const geometry::DomainModel& model) {
 geometry::MeshingOptions optionsOf(const MeshRequest& request, const RunControl& control,
                                    ProgressBar& bar, int firstFace) {
   geometry::MeshingOptions options = request.options;
-  options.stop = control.stop;
+  options.stop = control.stop();
   if (control.log || control.observer)
     options.observer = [&control, firstFace](int face) -> AF2MeshingObserver* {
       if (control.log) control.log->begin(firstFace + face);

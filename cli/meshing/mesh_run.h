@@ -15,9 +15,14 @@
 
 namespace af2::cli {
 
+/// Called once the model has been read: until then, a run cannot be stopped anyway.
+using StopFunction = std::function<std::stop_token()>;
+
+inline std::stop_token neverStopped() { return {}; }
+
 struct RunControl {
   bool showProgress = true;
-  std::stop_token stop;
+  StopFunction stop = neverStopped;
   /// The observer of a face, or null; called from several threads. Empty: no face has one.
   std::function<AF2MeshingObserver*(int face)> observer = {};
   RunLog* log = nullptr;             ///< log of a supervised run

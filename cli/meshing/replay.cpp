@@ -62,9 +62,10 @@ Replay::Replay(const Trace& trace) : trace_(trace) {
 geometry::ModelMesh Replay::run(
     const std::function<AF2MeshingObserver*(int face)>& observer) const {
   const InDirectory inDirectory(trace_.directory);
-  const Interrupt interrupt;
+  Interrupt interrupt;
   const MeshRequest request = requestOf(trace_);
-  return runMesh(request, rules_, {false, interrupt.token(), observer, nullptr, nullptr});
+  return runMesh(request, rules_,
+                 {false, [&] { return interrupt.token(); }, observer, nullptr, nullptr});
 }
 
 }  // namespace af2::cli

@@ -211,7 +211,7 @@ void endAtOnce(bool isFirst) {
   std::_Exit(kCancelled);
 }
 
-int run(int count, char** arguments, const Interrupt& interrupt) {
+int run(int count, char** arguments, Interrupt& interrupt) {
   CLI::App program{"Meshes a model in all processes of an MPI run: mpirun -n 4 af2-mpi MODEL ...",
                    "af2-mpi"};
   Options options;
@@ -238,7 +238,7 @@ int run(int count, char** arguments, const Interrupt& interrupt) {
 
 int main(int count, char** arguments) {
   af2::cli::keepFreedMemory();
-  const af2::cli::Interrupt interrupt;  // before other threads start
+  af2::cli::Interrupt interrupt;  // before other threads start
   int level = 0;
   MPI_Init_thread(&count, &arguments, MPI_THREAD_SERIALIZED, &level);
   const int code = af2::mpi::run(count, arguments, interrupt);

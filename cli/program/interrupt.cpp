@@ -21,17 +21,19 @@ sigset_t handledSignals() {
 
 }  // namespace
 
-// A thread that waits for the signals may call functions that a signal handler may not.
 Interrupt::Interrupt() {
   const sigset_t signals = handledSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  waiting_ = std::thread([this] { waitForSignals(); });
 }
 
 Interrupt::~Interrupt() {
-  over_ = true;
-  pthread_kill(waiting_.native_handle(), SIGTERM);
-  waiting_.join();
+  if (waiting_.joinable()) {
+    over_ = true;
+    pthread_kill(waiting_.native_handle(), SIGTERM);
+    waiting_.join();
+  } else {
+    takeKept();
+  }
   // The run ends anyway: a signal that repeats the first one, as of `timeout`, must not change its
   // exit code.
   if (stop_.stop_requested()) return;
@@ -39,9 +41,20 @@ Interrupt::~Interrupt() {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
+// A thread that waits for the signals may call functions that a signal handler may not.
+std::stop_token Interrupt::token() {
+  if (!waiting_.joinable()) waiting_ = std::thread([this] { waitForSignals(); });
+  return stop_.get_token();
+}
+
+void Interrupt::takeKept() {
+  const sigset_t signals = handledSignals();
+  const timespec atOnce{};
+  while (sigtimedwait(&signals, nullptr, &atOnce) > 0) stop_.request_stop();
+}
+
 void Interrupt::waitForSignals() {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds kSame(500);
   const sigset_t signals = handledSignals();
   Clock::time_point first;
   while (true) {
@@ -51,7 +64,7 @@ void Interrupt::waitForSignals() {
     if (!stop_.stop_requested()) {
       first = Clock::now();
       stop_.request_stop();
-    } else if (Clock::now() - first > kSame) {
+    } else if (Clock::now() - first > kSameRequest) {
       std::_Exit(kCancelled);
     }
   }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "cli/program/exit_code.h"
+#include "cli/program/interrupt.h"
 #include "engine/base/error.h"
 
 #if __has_include(<sys/wait.h>) && __has_include(<sys/mman.h>)
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -106,12 +109,29 @@ std::set<int> facesAtFault(const SharedLog& log) {
 struct End {
   int status = 0;
   std::optional<double> hung;  ///< the limit that it ran into, in processor seconds
+  bool isCancelled = false;    ///< by more than one request to stop
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Whether a request to stop came, and another one that is not a copy of it.
+class StopRequests {
+ public:
+  bool addAndTestAgain() {
+    const Clock::time_point now = Clock::now();
+    if (!first_) first_ = now;
+    return now - *first_ > kSameRequest;
+  }
+
+ private:
+  std::optional<Clock::time_point> first_;
 };
 
 End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {
   const sigset_t signals = watchedSignals();
   std::uint64_t beats = 0;
   double lastBeat = 0;
+  StopRequests requests;
   End end;
   while (waitpid(child, &end.status, WNOHANG) == 0) {
     const timespec pause{0, 200'000'000};
@@ -119,6 +139,13 @@ End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {
     const int signal = sigtimedwait(&signals, &info, &pause);
     // Signals from the terminal reach the child directly.
     if (signal == SIGTERM || (signal == SIGINT && info.si_code == SI_USER)) kill(child, signal);
+    // While it reads, it keeps all requests for later.
+    if ((signal == SIGTERM || signal == SIGINT) && requests.addAndTestAgain()) {
+      kill(child, SIGKILL);
+      waitpid(child, &end.status, 0);
+      end.isCancelled = true;
+      return end;
+    }
     const double now = processorSeconds(child);
     if (log.beats != beats) {
       beats = log.beats;
@@ -220,6 +247,7 @@ int supervise(RunLimits limits, const std::function<int(RunLog&, const GivenUp&)
       ChildLog childLog(log);
       return run(childLog, givenUp);
     }
+    if (end->isCancelled) return kCancelled;
     if (!end->hung && !isCrash(end->status)) return codeOf(end->status);
     const std::set<int> faces = facesAtFault(log);
     if (faces.empty()) throw RunEnded(nameOf(*end));

@@ -70,7 +70,7 @@ int compareSets(const CompareOptions& options) {
   if (options.isLong && !options.suite.empty())
     throw UsageError("--long is for the built-in suite, and --suite names another one");
   checkOutput(options.output);
-  const Interrupt interrupt;
+  Interrupt interrupt;
   const std::array sets{rulesOf(options.first, options), rulesOf(options.second, options)};
   const bool onlyQuads = options.elements == "quad";
   for (const ComparedRules& set : sets)

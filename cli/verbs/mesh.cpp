@@ -14,8 +14,8 @@ namespace af2::cli {
 namespace {
 
 int meshUntilInterrupted(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
-  const Interrupt interrupt;
-  return meshAndReport(request, {interrupt.token(), log, &givenUp, {}});
+  Interrupt interrupt;
+  return meshAndReport(request, {[&] { return interrupt.token(); }, log, &givenUp, {}});
 }
 
 /// CAD models are meshed in a supervised process, because OpenCASCADE may crash or hang on them or

@@ -60,7 +60,7 @@ void openBrowser(std::string address) {
 }
 
 int playground(const PlaygroundOptions& options) {
-  const Interrupt interrupt;  // before the server starts threads
+  Interrupt interrupt;  // before the server starts threads
   playground::Server server({std::filesystem::absolute(findRuleFile(options.file)), options.watch,
                              options.port, surroundingsOf(options)});
   fmt::print("{}\n", server.address());

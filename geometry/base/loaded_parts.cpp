@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <sstream>
 #include <vector>
 
 #include "engine/base/error.h"
@@ -12,24 +11,6 @@ namespace af2::geometry {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Looking up a name in its own library first, and only then in those of the program, saves a third
-/// of the time of loading. Where something replaces the functions of the C library that reserve
-/// memory, all libraries have to get the same ones, so this is left out.
-int bindingMode() {
-#if defined(RTLD_DEEPBIND) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  for (const char* name : {"malloc", "free"}) {
-    Dl_info info{};
-    void* const function = ::dlsym(RTLD_DEFAULT, name);
-    if (!function || !::dladdr(function, &info) || !info.dli_fname ||
-        !fs::path(info.dli_fname).filename().string().starts_with("libc.so"))
-      return 0;
-  }
-  return RTLD_DEEPBIND;
-#else
-  return 0;
-#endif
-}
 
 fs::path folderOfProgram() {
   std::error_code failed;
@@ -66,14 +47,6 @@ std::vector<fs::path> foldersOfParts() {
   return folders;
 }
 
-/// One that is not there under this name is found when the library is loaded, or that tells what is
-/// missing. Functions are looked up when they are first called, unless a library was linked to have
-/// it otherwise: for what a file needs of STEP, these are few.
-void loadFirst(const char* names, int mode) {
-  std::istringstream list(names);
-  for (std::string name; list >> name;) ::dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL | mode);
-}
-
 }  // namespace
 
 fs::path placeOfPart(const std::string& library) {
@@ -83,14 +56,13 @@ fs::path placeOfPart(const std::string& library) {
   return {};
 }
 
-void* entryOfPart(const std::string& library, const char* entry, const char* needed) {
+void* entryOfPart(const std::string& library, const char* entry) {
   const fs::path place = placeOfPart(library);
   if (place.empty())
     throw InputError("the library '" + library + "' that belongs to this program is not in '" +
                      folderOfProgram().string() + "'; copy or install it along with the program");
-  const int mode = bindingMode();
-  loadFirst(needed, mode);
-  void* const loaded = ::dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL | mode);
+  // Functions are looked up when they are first called: for what a file needs, these are few.
+  void* const loaded = ::dlopen(place.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (!loaded) throw InputError("cannot load a part of this program: " + std::string(::dlerror()));
   return ::dlsym(loaded, entry);
 }

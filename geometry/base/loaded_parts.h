@@ -10,13 +10,11 @@ namespace af2::geometry {
 /// its libraries. Empty: nowhere there.
 std::filesystem::path placeOfPart(const std::string& library);
 
-/// The function `entry` of the library, which is loaded and stays so. `needed` are the names of
-/// libraries that it needs, apart by blanks, each after those that it needs itself: loading them
-/// first makes each look for names in few of them. May be empty.
+/// The function `entry` of the library, which is loaded and stays so.
 ///
 /// Throws InputError, naming the library, if it is not there or cannot be loaded; null if it has no
 /// such function.
-void* entryOfPart(const std::string& library, const char* entry, const char* needed = "");
+void* entryOfPart(const std::string& library, const char* entry);
 
 /// For a library that has been compiled from other sources than its caller.
 [[noreturn]] void refusePart(const std::string& library);
@@ -27,9 +25,8 @@ void* entryOfPart(const std::string& library, const char* entry, const char* nee
 ///
 /// Throws InputError as entryOfPart, and if it was not.
 template <class Module, class IsSame>
-const Module& moduleOfPart(const std::string& library, const char* entry, const IsSame& isSame,
-                           const char* needed = "") {
-  void* const found = entryOfPart(library, entry, needed);
+const Module& moduleOfPart(const std::string& library, const char* entry, const IsSame& isSame) {
+  void* const found = entryOfPart(library, entry);
   const Module* const module = found ? reinterpret_cast<const Module* (*)()>(found)() : nullptr;
   if (!module || !isSame(*module)) refusePart(library);
   return *module;

@@ -57,6 +57,9 @@ if [ -x "$bind" ]; then
   ldd installed/bin/af2 | grep -q 'lib/af2/occ' && fail "there are no copies to use"
   # A copy of a variable in the program would be another one than that of a bound library.
   readelf -rW "$af2" | grep R_X86_64_COPY | grep -v @GLIBC && fail "the program has copies of variables"
+  # The dynamic linker finds the counters of handles in the program (reference_counts.cpp).
+  [ "$(readelf --dyn-syms -W "$af2" | grep -c ' [1-9][0-9]* _ZNK18Standard_Transient19..crementRefCounterEv')" = 2 ] ||
+    fail "the program does not offer its counters of handles"
   echo "no library" >libTKMath.so.7
   echo "an older copy" >installed/libTKMath.so.7
   expect 1 "$bind" installed libTKMath.so.7

@@ -14,8 +14,8 @@ const AlgorithmsModule& algorithms() {
     return std::strcmp(module.version, AF2_VERSION) == 0 &&
            module.optionsSize == sizeof(FuseOptions);
   };
-  static const AlgorithmsModule& loaded = moduleOfPart<AlgorithmsModule>(
-      "af2-algorithms.so", kAlgorithmsModuleEntry, isSame, AF2_NEEDED_BY_ALGORITHMS);
+  static const AlgorithmsModule& loaded =
+      moduleOfPart<AlgorithmsModule>("af2-algorithms.so", kAlgorithmsModuleEntry, isSame);
   return loaded;
 }
 

@@ -13,22 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const ReaderModule& load(const std::string& library, const char* needed) {
+const ReaderModule& load(const std::string& library) {
   const auto isSame = [](const ReaderModule& module) {
     return std::strcmp(module.version, AF2_VERSION) == 0 && module.shapeSize == sizeof(ReadShape);
   };
-  return moduleOfPart<ReaderModule>(library, kReaderModuleEntry, isSame, needed);
+  return moduleOfPart<ReaderModule>(library, kReaderModuleEntry, isSame);
 }
 
 }  // namespace
 
 ReadShape readStep(const fs::path& path) {
-  static const ReaderModule& reader = load("af2-step.so", AF2_NEEDED_BY_STEP);
+  static const ReaderModule& reader = load("af2-step.so");
   return reader.read(path);
 }
 
 ReadShape readIges(const fs::path& path) {
-  static const ReaderModule& reader = load("af2-iges.so", AF2_NEEDED_BY_IGES);
+  static const ReaderModule& reader = load("af2-iges.so");
   return reader.read(path);
 }
 

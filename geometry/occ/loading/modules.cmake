@@ -2,7 +2,8 @@
 # part, which lies beside the program, or in lib/af2 once it is installed. af2_load_parts(TARGET) makes a program load
 # them.
 
-add_library(af2_part_loading OBJECT EXCLUDE_FROM_ALL occ/loading/loaded_readers.cpp occ/loading/loaded_algorithms.cpp)
+add_library(af2_part_loading OBJECT EXCLUDE_FROM_ALL
+  occ/loading/loaded_readers.cpp occ/loading/loaded_algorithms.cpp occ/loading/reference_counts.cpp)
 target_link_libraries(af2_part_loading PRIVATE af2_build af2_occ_headers af2::geometry)
 target_compile_definitions(af2_part_loading PRIVATE
   AF2_VERSION="${PROJECT_VERSION}")
@@ -18,11 +19,6 @@ foreach(part ${loaded_parts})
   target_link_options(af2_${part}_module PRIVATE LINKER:-z,defs LINKER:-z,now LINKER:--as-needed)
   set_target_properties(af2_${part}_module PROPERTIES
     PREFIX "" OUTPUT_NAME af2-${part} AF2_LOADS_PARTS ON)
-  list(TRANSFORM ${part}_libraries REPLACE "(.+)" "$<TARGET_SONAME_FILE_NAME:\\1>"
-    OUTPUT_VARIABLE names)
-  list(JOIN names " " names)
-  string(TOUPPER ${part} upper)
-  target_compile_definitions(af2_part_loading PRIVATE AF2_NEEDED_BY_${upper}="${names}")
 endforeach()
 target_compile_definitions(af2_step_module PRIVATE AF2_MODULE_READER=readStep)
 target_compile_definitions(af2_iges_module PRIVATE AF2_MODULE_READER=readIges)

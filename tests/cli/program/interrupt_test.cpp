@@ -19,7 +19,7 @@ bool becomesTrue(const std::stop_token& token) {
 
 TEST(Interrupt, TurnsASignalIntoARequestToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Interrupt interrupt;
+    Interrupt interrupt;
     EXPECT_FALSE(interrupt.requested());
     ::kill(::getpid(), signal);
     EXPECT_TRUE(becomesTrue(interrupt.token()));
@@ -27,7 +27,7 @@ TEST(Interrupt, TurnsASignalIntoARequestToStop) {
 }
 
 TEST(Interrupt, TakesSignalsThatComeTogetherForOne) {
-  const Interrupt interrupt;
+  Interrupt interrupt;
   for (int i = 0; i < 3; ++i) {
     ::kill(::getpid(), SIGTERM);
     EXPECT_TRUE(becomesTrue(interrupt.token()));
@@ -39,7 +39,7 @@ TEST(Interrupt, TakesSignalsThatComeTogetherForOne) {
 TEST(InterruptDeathTest, ASignalThatIsRepeatedAfterTheEndKeepsTheExitCode) {
   const auto endAfterSignals = [] {
     {
-      const Interrupt interrupt;
+      Interrupt interrupt;
       ::kill(::getpid(), SIGINT);
       becomesTrue(interrupt.token());
     }
@@ -49,8 +49,26 @@ TEST(InterruptDeathTest, ASignalThatIsRepeatedAfterTheEndKeepsTheExitCode) {
   EXPECT_EXIT(endAfterSignals(), ::testing::ExitedWithCode(4), "");
 }
 
+TEST(Interrupt, KeepsASignalUntilItIsAskedFor) {
+  Interrupt interrupt;
+  ::kill(::getpid(), SIGINT);
+  EXPECT_FALSE(interrupt.requested());
+  EXPECT_TRUE(becomesTrue(interrupt.token()));
+}
+
+TEST(InterruptDeathTest, ASignalForWhichNobodyAskedKeepsTheExitCode) {
+  const auto endAfterSignal = [] {
+    {
+      const Interrupt interrupt;
+      ::kill(::getpid(), SIGTERM);
+    }
+    std::_Exit(5);
+  };
+  EXPECT_EXIT(endAfterSignal(), ::testing::ExitedWithCode(5), "");
+}
+
 TEST(Interrupt, EndsQuietlyIfNothingHappens) {
-  const Interrupt interrupt;
+  Interrupt interrupt;
   EXPECT_FALSE(interrupt.requested());
 }
 

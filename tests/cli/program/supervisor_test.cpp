@@ -4,11 +4,15 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
+#include "cli/program/exit_code.h"
+#include "cli/program/interrupt.h"
 #include "engine/base/error.h"
 
 namespace af2::cli {
@@ -55,6 +59,19 @@ TEST(Supervisor, LeavesOutSeveralFacesOneAfterTheOther) {
     return static_cast<int>(givenUp.size());
   });
   EXPECT_EQ(code, 2);
+}
+
+/// As while it reads a model: it keeps the requests.
+TEST(Supervisor, EndsARunThatDoesNotListenAtTheSecondRequest) {
+  const int code = runHere({}, [](RunLog&, const GivenUp&) {
+    const Interrupt interrupt;
+    kill(getppid(), SIGTERM);
+    std::this_thread::sleep_for(kSameRequest + std::chrono::milliseconds(200));
+    kill(getppid(), SIGTERM);
+    std::this_thread::sleep_for(std::chrono::seconds(20));
+    return 0;
+  });
+  EXPECT_EQ(code, kCancelled);
 }
 
 TEST(Supervisor, LeavesOutTheFaceThatDoesNotEnd) {
