@@ -54,11 +54,17 @@ class FaultSearch {
   double high(bool isInU) const { return isInU ? box_.u2 : box_.v2; }
   bool isInside(const Uv& at) { return inside_.Perform({at[0], at[1]}) != TopAbs_OUT; }
 
-  /// Parameters at which to look, ascending: pieces between breaks may be tiny.
+  /// Parameters at which to look, ascending: pieces between breaks may be tiny, and faults close to
+  /// the ends.
   std::vector<double> samples(bool isInU) const {
+    constexpr int kHalvings = 4;
     std::vector<double> at = breaks_[isInU ? 0 : 1];
     const double from = low(isInU), to = high(isInU);
     for (int i = 0; i <= kSteps; ++i) at.push_back(from + (to - from) * i / kSteps);
+    for (int k = 1; k <= kHalvings; ++k) {
+      const double beside = std::ldexp((to - from) / kSteps, -k);
+      at.insert(at.end(), {from + beside, to - beside});
+    }
     std::erase_if(at, [&](double p) { return p < from || p > to; });
     std::ranges::sort(at);
     const auto same = std::ranges::unique(at);

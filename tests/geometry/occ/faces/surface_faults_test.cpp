@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
 
@@ -67,6 +69,22 @@ TEST(SurfaceFault, IsAPinchWhereAProfileCrossesItsAxis) {
   EXPECT_EQ(fault->kind, SurfaceFault::Kind::Pinch);
   EXPECT_NEAR(std::hypot(fault->place.x, fault->place.y), 0, 1e-4);
   EXPECT_NEAR(std::abs(fault->place.z), std::sqrt(0.7 * 0.7 - 0.625 * 0.625), 1e-3);
+}
+
+/// A hundredth of the curve before its end on the axis.
+TEST(SurfaceFault, IsAPinchAlsoCloseToTheEndOfAProfile) {
+  TColgp_Array1OfPnt poles(1, 4);
+  poles(1) = {1, 0, 0};
+  poles(2) = {1, 0, 1};
+  poles(3) = {-0.01, 0, 1.8};
+  poles(4) = {0, 0, 2};
+  const TopoDS_Face vase = BRepBuilderAPI_MakeFace(
+      new Geom_SurfaceOfRevolution(new Geom_BezierCurve(poles), gp::OZ()), 1e-6);
+  const auto fault = surfaceFault(vase, 0.02);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, SurfaceFault::Kind::Pinch);
+  EXPECT_NEAR(std::hypot(fault->place.x, fault->place.y), 0, 1e-5);
+  EXPECT_GT(fault->place.z, 1.99);
 }
 
 TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
