@@ -136,9 +136,11 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     model = imprintedModel(model, request.imprint, control.stop());
   }
   model = withInside(model, request.inside);
+  const double readSeconds = reading.seconds();
+  const Stopwatch comparing;
   geometry::PartContacts contacts;
   if (!control.stop().stop_requested()) contacts = contactsToTell(request, model);
-  const double readSeconds = reading.seconds();
+  const double contactSeconds = contacts.parts > 1 ? comparing.seconds() : 0;
   checkUnit(request.scale, model.unit());
   checkIds(request, model.faceCount(), model.edgeCount());
   if (control.names) control.names(namesOf(model), model.groups());
@@ -167,6 +169,7 @@ geometry::ModelMesh runCad(const MeshRequest& request, const AF2Algorithm& algor
     mesh.findings.push_back(fault);
   mesh.contacts = contacts;
   mesh.seconds.read = readSeconds;
+  mesh.seconds.contacts = contactSeconds;
   return mesh;
 }
 

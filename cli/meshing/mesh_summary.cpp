@@ -76,9 +76,11 @@ std::string deviationText(const std::optional<geometry::Deviation>& deviation) {
 }
 
 std::string secondsText(const geometry::StageSeconds& seconds) {
+  const std::string contacts =
+      seconds.contacts > 0 ? fmt::format("contacts {:.2f}  ", seconds.contacts) : "";
   return fmt::format(
-      "seconds: read {:.2f}  edges {:.2f}  surface {:.2f}  optimize {:.2f}  write {:.2f}",
-      seconds.read, seconds.edges, seconds.surface, seconds.optimize, seconds.write);
+      "seconds: read {:.2f}  {}edges {:.2f}  surface {:.2f}  optimize {:.2f}  write {:.2f}",
+      seconds.read, contacts, seconds.edges, seconds.surface, seconds.optimize, seconds.write);
 }
 
 }  // namespace

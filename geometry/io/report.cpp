@@ -117,6 +117,7 @@ Json toJson(const Deviation& deviation) {
 
 Json toJson(const StageSeconds& seconds) {
   return {{"read", seconds.read},
+          {"contacts", seconds.contacts},
           {"edges", seconds.edges},
           {"surface", seconds.surface},
           {"optimize", seconds.optimize},

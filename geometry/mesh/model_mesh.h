@@ -196,7 +196,9 @@ struct PeriodicPair {
 
 /// Seconds spent in each stage of a run.
 struct StageSeconds {
-  double read = 0, edges = 0, surface = 0, optimize = 0, write = 0;
+  double read = 0;
+  double contacts = 0;  ///< finding parts of the model that touch
+  double edges = 0, surface = 0, optimize = 0, write = 0;
 };
 
 struct ModelMesh {

@@ -46,7 +46,7 @@ import gmsh_file
 
 SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp"}
 AF2, GMSH, NETGEN = "AF2", "Gmsh", "Netgen"
-STAGES = ("read", "edges", "surface", "optimize", "write")
+STAGES = ("read", "contacts", "edges", "surface", "optimize", "write")
 FIGURES = ("user", "cpu", "wall", "mesher", "instructions", "start", *STAGES)
 BEGIN, END = "<!-- corpus times: begin -->", "<!-- corpus times: end -->"
 
@@ -226,7 +226,7 @@ def whole_program(chosen: argparse.Namespace) -> str:
 def cells(name: str, found: dict, peers: list, whole: str) -> str:
     row = found[AF2]
     if "triangles" not in row:
-        return f"| {name} | refused | | {row[whole]:.3f} | {row['instructions'] / 1e6:,.0f} |" + " |" * (7 + 2 * len(peers))
+        return f"| {name} | refused | | {row[whole]:.3f} | {row['instructions'] / 1e6:,.0f} |" + " |" * (8 + 2 * len(peers))
     ratios = [ratio(found, peer, figure) for peer in peers for figure in (whole, "mesher")]
     stages = " | ".join(f"{row[stage]:.3f}" for stage in ("start", *STAGES))
     return (f"| {name} | {row['triangles']:,}{'' if row['complete'] else ' (incomplete)'} | {rate(row) / 1000:,.0f} | "

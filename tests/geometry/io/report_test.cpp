@@ -96,7 +96,7 @@ TEST(Report, HasTheSecondsOfEachStageAndTheQuality) {
   report.quality.edges.p95 = 1.25;
   const nlohmann::json json = written(report, mesh);
   EXPECT_EQ(json["seconds"]["surface"], 1.5);
-  for (const char* stage : {"read", "edges", "optimize", "write"})
+  for (const char* stage : {"read", "contacts", "edges", "optimize", "write"})
     EXPECT_EQ(json["seconds"][stage], 0);
   EXPECT_EQ(json["quality"]["p1"], 0.75);
   EXPECT_EQ(json["quality"]["edge_ratio"]["p95"], 1.25);
