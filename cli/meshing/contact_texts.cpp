@@ -53,10 +53,13 @@ std::string rowOf(const PartContact& pair) {
   return text + "\n";
 }
 
-std::string notComparedText(const PartContacts& contacts) {
-  if (contacts.notCompared == 0) return "";
-  return fmt::format("{} more pairs of parts are close to each other and were not compared",
-                     contacts.notCompared);
+/// isAll  nothing is said of other pairs
+std::string notComparedText(const PartContacts& contacts, bool isAll) {
+  const std::size_t count = contacts.notCompared;
+  if (count == 0) return "";
+  return fmt::format("{}{} {}", count, isAll ? "" : " more",
+                     count == 1 ? "pair of parts is close to each other and was not compared"
+                                : "pairs of parts are close to each other and were not compared");
 }
 
 }  // namespace
@@ -72,7 +75,7 @@ std::string contactWarning(const PartContacts& contacts) {
   if (const std::size_t unknown = countOf(contacts, ContactKind::Unknown); unknown > 0)
     text += fmt::format("{}{} {} of parts could not be compared", text.empty() ? "" : "; ", unknown,
                         unknown == 1 ? "pair" : "pairs");
-  if (const std::string rest = notComparedText(contacts); !rest.empty())
+  if (const std::string rest = notComparedText(contacts, text.empty()); !rest.empty())
     text += (text.empty() ? "" : "; ") + rest;
   if (text.empty()) return "";
   return fmt::format("note: {} (af2 inspect lists all)\n", text);
@@ -98,7 +101,8 @@ std::string contactTable(const PartContacts& contacts, bool all) {
   for (const auto& [kind, count] : left)
     text += fmt::format("and {} more of the kind '{}' (--all lists them)\n", count,
                         geometry::toString(kind));
-  if (const std::string rest = notComparedText(contacts); !rest.empty()) text += rest + "\n";
+  if (const std::string rest = notComparedText(contacts, contacts.pairs.empty()); !rest.empty())
+    text += rest + "\n";
   return text;
 }
 

@@ -1,7 +1,9 @@
 #include "geometry/occ/assembly/contacts.h"
 
 #include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 #include <cmath>
@@ -65,16 +67,44 @@ std::vector<PartPair> nearPairs(const ModelShape& model, const std::vector<Model
   return {pairs.begin(), pairs.end()};
 }
 
-/// Those with the fewest faces, as many as the limit allows, in the order of the model.
-std::vector<PartPair> cheapestOf(std::vector<PartPair> pairs, const std::vector<ModelPart>& parts,
-                                 std::size_t maxFaces) {
+/// How many plane faces take as long to be compared as this one, roughly: those with surfaces of
+/// equal kinds take from half to twice as long.
+std::size_t workOf(const TopoDS_Face& face) {
+  constexpr std::size_t kQuadric = 2, kTorus = 4, kFree = 40;
+  const Handle(Geom_Surface) definition = BRep_Tool::Surface(face);
+  if (definition.IsNull()) return 1;
+  const GeomAdaptor_Surface surface(definition);
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+      return 1;
+    case GeomAbs_Cylinder:
+    case GeomAbs_Cone:
+    case GeomAbs_Sphere:
+      return kQuadric;
+    case GeomAbs_Torus:
+      return kTorus;
+    case GeomAbs_BSplineSurface:
+      return kFree + static_cast<std::size_t>(surface.NbUKnots() * surface.NbVKnots());
+    default:
+      return kFree;
+  }
+}
+
+/// Those that take least, as many as the limit allows, in the order of the model.
+std::vector<PartPair> cheapestOf(std::vector<PartPair> pairs, const ModelShape& model,
+                                 const std::vector<ModelPart>& parts, std::size_t maxFaces) {
   if (maxFaces == 0) return pairs;
-  const auto facesOf = [&](const PartPair& pair) {
-    return parts[pair.first].faces.size() + parts[pair.second].faces.size();
+  std::vector<std::size_t> ofParts;
+  for (const ModelPart& part : parts) {
+    std::size_t& work = ofParts.emplace_back(0);
+    for (const int face : part.faces) work += workOf(model.face(face));
+  }
+  const auto ofPair = [&](const PartPair& pair) {
+    return ofParts[pair.first] + ofParts[pair.second];
   };
-  std::ranges::stable_sort(pairs, {}, facesOf);
-  std::size_t faces = 0, count = 0;
-  while (count < pairs.size() && (faces += facesOf(pairs[count])) <= maxFaces) ++count;
+  std::ranges::stable_sort(pairs, {}, ofPair);
+  std::size_t work = 0, count = 0;
+  while (count < pairs.size() && (work += ofPair(pairs[count])) <= maxFaces) ++count;
   pairs.resize(count);
   std::ranges::sort(pairs);
   return pairs;
@@ -97,7 +127,7 @@ PartContacts findContacts(const Model& model, const ContactOptions& options) {
   const double tolerance =
       options.tolerance > 0 ? options.tolerance : usualFuseTolerance(model.diagonal());
   const std::vector<PartPair> all = nearPairs(shape, parts, tolerance);
-  const std::vector<PartPair> pairs = cheapestOf(all, parts, options.maxFaces);
+  const std::vector<PartPair> pairs = cheapestOf(all, shape, parts, options.maxFaces);
   contacts.notCompared = all.size() - pairs.size();
   const auto compare = [&](std::size_t i) {
     return textOf(contactBetween(shape, parts[pairs[i].first], parts[pairs[i].second],

@@ -10,8 +10,9 @@ namespace af2::geometry {
 struct ContactOptions {
   /// Parts nearer than this touch, in the unit of the model. 0: a ten-millionth of its diagonal.
   double tolerance = 0;
-  /// Pairs are compared, those with the fewest faces first, until they have this many faces
-  /// together, counted again for each pair. The work is so limited on any machine. 0: no limit.
+  /// Pairs are compared, those that take least first, until they have this many faces together,
+  /// counted again for each pair; a curved face counts for several plane ones. The work is so
+  /// limited on any machine. 0: no limit.
   std::size_t maxFaces = 0;
   double secondsForPair = 20,
          seconds = 300;  ///< limits; pairs that reach one are ContactKind::Unknown

@@ -42,6 +42,15 @@ TEST(ContactTexts, SayNothingOfPartsThatAreApart) {
   EXPECT_EQ(contactTable({1, {}, 0}, false), "");
 }
 
+TEST(ContactTexts, TellOfPairsThatWereNotComparedAlone) {
+  EXPECT_EQ(contactWarning({2, {}, 1}),
+            "note: 1 pair of parts is close to each other and was not compared (af2 inspect lists "
+            "all)\n");
+  EXPECT_EQ(contactWarning({3, {}, 2}),
+            "note: 2 pairs of parts are close to each other and were not compared (af2 inspect "
+            "lists all)\n");
+}
+
 TEST(ContactTexts, ListHowMuchTheyHaveInCommon) {
   EXPECT_EQ(
       contactTable(someContacts(), false),

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <numbers>
 
 #include "tests/geometry/occ/assembly/assemblies.h"
+#include "tests/geometry/occ/curves.h"
 
 namespace af2::geometry {
 namespace {
@@ -103,6 +106,27 @@ TEST(Contacts, StopAtTheNumberOfFacesThatIsAskedFor) {
   const PartContacts contacts = findContacts(testing::threeBoxes(), options);
   EXPECT_EQ(contacts.pairs.size(), 2u);
   EXPECT_EQ(contacts.notCompared, 1u);
+}
+
+/// The pair of plane faces is compared, though that of few free-form faces comes first.
+TEST(Contacts, CountCurvedFacesForSeveral) {
+  const auto wall = [](double x) {
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeEdge(testing::splineThrough(
+                                     {{x, 0, 0}, {x + 0.2, 1, 0}, {x, 2, 0}})),
+                                 gp_Vec(0, 0, 1))
+        .Shape();
+  };
+  const Model model = assemblyOf({{"first", wall(5)},
+                                  {"second", wall(5)},
+                                  {"a", boxBetween({0, 0, 0}, {1, 1, 1})},
+                                  {"b", boxBetween({1, 0, 0}, {2, 1, 1})}});
+  ContactOptions options;
+  options.maxFaces = 50;
+  const PartContacts contacts = findContacts(model, options);
+  ASSERT_EQ(contacts.pairs.size(), 1u);
+  EXPECT_EQ(contacts.pairs.front().one, "a");
+  EXPECT_EQ(contacts.notCompared, 1u);
+  EXPECT_EQ(findContacts(model).pairs.size(), 2u);
 }
 
 TEST(Contacts, NumberPartsOfTheSameName) {
