@@ -70,7 +70,7 @@ std::vector<PartPair> nearPairs(const ModelShape& model, const std::vector<Model
 /// How many plane faces take as long to be compared as this one, roughly: those with surfaces of
 /// equal kinds take from half to twice as long.
 std::size_t workOf(const TopoDS_Face& face) {
-  constexpr std::size_t kQuadric = 2, kTorus = 4, kFree = 40;
+  constexpr std::size_t kQuadric = 2, kTorus = 20, kFree = 40;
   const Handle(Geom_Surface) definition = BRep_Tool::Surface(face);
   if (definition.IsNull()) return 1;
   const GeomAdaptor_Surface surface(definition);
