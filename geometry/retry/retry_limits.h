@@ -33,9 +33,9 @@ inline constexpr double kMinBudgetForLastTry = 300'000;
 /// How often shorter edges are tried on a face that keeps failing, before it is given up.
 inline constexpr int kMaxFailures = 3;
 
-/// Failures before short edges of the model are collapsed to points. Collapsing loses details, so
-/// it comes late.
-inline constexpr int kFailuresBeforeCollapse = 2;
+/// Failures with shorter edges before short edges of the model are collapsed to points: collapsing
+/// loses details.
+inline constexpr int kFailuresBeforeCollapse = 1;
 
 /// A try counts as progress if the poorness, or the number of crossing elements, falls below this
 /// share of the former value.
