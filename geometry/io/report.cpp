@@ -116,12 +116,8 @@ Json toJson(const Deviation& deviation) {
 }
 
 Json toJson(const StageSeconds& seconds) {
-  return {{"read", seconds.read},
-          {"contacts", seconds.contacts},
-          {"edges", seconds.edges},
-          {"surface", seconds.surface},
-          {"optimize", seconds.optimize},
-          {"write", seconds.write}};
+  return {{"read", seconds.read},       {"contacts", seconds.contacts}, {"edges", seconds.edges},
+          {"surface", seconds.surface}, {"optimize", seconds.optimize}, {"write", seconds.write}};
 }
 
 Json toJson(const LengthRatio& edges) {

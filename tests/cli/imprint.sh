@@ -11,7 +11,7 @@ grep -q "1 pair of parts touches, e.g. 'solid 1' and 'solid 2' at (5, 5, 1)" out
 [ "$(json plain.json contacts pairs 0 kind)" = touch ] || fail "the report does not tell of parts that touch"
 [ "$(json plain.json contacts pairs 0 area | cut -c1-5)" = 3.141 ] || fail "area in common"
 expect 0 "$af2" mesh "$models/cylinder.brep" -s 1 --report one.json
-grep -q '"contacts"' one.json && fail "a model of one part has contacts"
+json one.json contacts >/dev/null 2>&1 && fail "a model of one part has contacts"
 expect 0 "$af2" inspect "$bolt"
 grep -q "2 parts; 1 pairs" out || fail "inspect does not list parts that touch"
 expect 0 "$af2" inspect "$overlap"
