@@ -53,11 +53,11 @@ std::string rowOf(const PartContact& pair) {
   return text + "\n";
 }
 
-/// isAll  nothing is said of other pairs
-std::string notComparedText(const PartContacts& contacts, bool isAll) {
+/// isAlone  nothing is said of other pairs
+std::string notComparedText(const PartContacts& contacts, bool isAlone) {
   const std::size_t count = contacts.notCompared;
   if (count == 0) return "";
-  return fmt::format("{}{} {}", count, isAll ? "" : " more",
+  return fmt::format("{}{} {}", count, isAlone ? "" : " more",
                      count == 1 ? "pair of parts is close to each other and was not compared"
                                 : "pairs of parts are close to each other and were not compared");
 }

@@ -65,7 +65,7 @@ geometry::ModelMesh Replay::run(
   Interrupt interrupt;
   const MeshRequest request = requestOf(trace_);
   return runMesh(request, rules_,
-                 {false, [&] { return interrupt.token(); }, observer, nullptr, nullptr});
+                 {false, [stop = interrupt.token()] { return stop; }, observer, nullptr, nullptr});
 }
 
 }  // namespace af2::cli

@@ -2,7 +2,6 @@
 
 #include <pthread.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 
@@ -54,19 +53,14 @@ void Interrupt::takeKept() {
 }
 
 void Interrupt::waitForSignals() {
-  using Clock = std::chrono::steady_clock;
   const sigset_t signals = handledSignals();
-  Clock::time_point first;
+  StopRequests requests;
   while (true) {
     int signal = 0;
     sigwait(&signals, &signal);
     if (over_) return;
-    if (!stop_.stop_requested()) {
-      first = Clock::now();
-      stop_.request_stop();
-    } else if (Clock::now() - first > kSameRequest) {
-      std::_Exit(kCancelled);
-    }
+    if (requests.addAndTestAgain()) std::_Exit(kCancelled);
+    stop_.request_stop();
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <stop_token>
 #include <thread>
 
@@ -10,6 +11,21 @@ namespace af2::cli {
 
 /// Signals within this time are copies of one request.
 inline constexpr std::chrono::milliseconds kSameRequest(500);
+
+/// Tells requests to stop from copies of the first one.
+class StopRequests {
+ public:
+  /// Whether it is another request than the first.
+  bool addAndTestAgain() {
+    const Clock::time_point now = Clock::now();
+    if (!first_) first_ = now;
+    return now - *first_ > kSameRequest;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> first_;
+};
 
 /// During its lifetime, the first SIGINT or SIGTERM requests a stop; a later one ends the program
 /// at once. Programs that signal a whole process group, such as `timeout` and batch systems,

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -110,21 +109,6 @@ struct End {
   int status = 0;
   std::optional<double> hung;  ///< the limit that it ran into, in processor seconds
   bool isCancelled = false;    ///< by more than one request to stop
-};
-
-using Clock = std::chrono::steady_clock;
-
-/// Whether a request to stop came, and another one that is not a copy of it.
-class StopRequests {
- public:
-  bool addAndTestAgain() {
-    const Clock::time_point now = Clock::now();
-    if (!first_) first_ = now;
-    return now - *first_ > kSameRequest;
-  }
-
- private:
-  std::optional<Clock::time_point> first_;
 };
 
 End watch(pid_t child, const SharedLog& log, const RunLimits& limits) {

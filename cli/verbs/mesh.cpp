@@ -15,6 +15,7 @@ namespace {
 
 int meshUntilInterrupted(const MeshRequest& request, RunLog* log, const GivenUp& givenUp) {
   Interrupt interrupt;
+  if (!log) interrupt.token();  // no supervisor ends a run that reads and is asked twice to stop
   return meshAndReport(request, {[&] { return interrupt.token(); }, log, &givenUp, {}});
 }
 

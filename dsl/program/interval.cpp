@@ -25,7 +25,8 @@ Interval outwards(double low, double high, int units = 1) {
   return {std::isinf(low) ? low : below(low, units), std::isinf(high) ? high : above(high, units)};
 }
 
-/// A bound of the error of the functions of the mathematical library, in units of the last digit.
+/// A bound of the error of elementary functions (engine/base/elementary.h), in units of the last
+/// digit.
 constexpr int kLibraryUnits = 4;
 
 /// Whether the interval contains some x0 + 2 pi k, within rounding.

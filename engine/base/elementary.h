@@ -1,7 +1,7 @@
 // Elementary functions by arithmetic alone: the same bits on every machine. The C library chooses
 // among versions by the processor, and other C libraries round differently.
 //
-// Errors are below two units in the last place.
+// Errors are below two units in the last place, those of the tangent below four.
 #pragma once
 
 #include "engine/base/point.h"

@@ -67,8 +67,9 @@ std::vector<PartPair> nearPairs(const ModelShape& model, const std::vector<Model
   return {pairs.begin(), pairs.end()};
 }
 
-/// How many plane faces take as long to be compared as this one, roughly: those with surfaces of
-/// equal kinds take from half to twice as long.
+/// How many plane faces take as long to be compared as this one, roughly. In the collection
+/// (docs/performance.md), a plane face took half a millisecond to one, three pairs of two tori 390,
+/// and a pair of two free-form faces 30 to 1,300.
 std::size_t workOf(const TopoDS_Face& face) {
   constexpr std::size_t kQuadric = 2, kTorus = 20, kFree = 40;
   const Handle(Geom_Surface) definition = BRep_Tool::Surface(face);

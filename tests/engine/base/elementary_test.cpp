@@ -48,6 +48,8 @@ TEST_F(Elementary, DirectionsAreRightToTheLastPlaces) {
     EXPECT_LT(mostOff(angle, sine, [](long double x) { return std::sin(x); }), 1.6) << range;
     EXPECT_LT(mostOff(angle, cosine, [](long double x) { return std::cos(x); }), 1.6) << range;
   }
+  const auto steep = [&] { return within(1.5); };
+  EXPECT_LT(mostOff(steep, tangent, [](long double x) { return std::tan(x); }), 4);
   EXPECT_EQ(sine(std::numbers::pi), 0x1.1a62633145c07p-53);
   EXPECT_EQ(cosine(0), 1);
   EXPECT_TRUE(std::isnan(sine(kInfinity)) && std::isnan(cosine(kNoNumber)));
