@@ -306,8 +306,9 @@ const ChartTraits& traitsOf(ChartKind kind) {
   return *std::ranges::find(chartKinds(), kind, &ChartTraits::kind);
 }
 
-int lastStallLimit(const FaceTask& task) {
-  if (!task.limits.failedBefore) return 0;
+int lastStallLimit(const FillState& state) {
+  const FaceTask& task = state.task;
+  if (!task.limits.failedBefore && state.failed.empty()) return 0;
   int limit = kLastStallLimit;
   for (const AF2Rule& rule : task.algorithm.rules().rules())
     limit = std::max(limit, rule.definition().firstLevel);
@@ -331,7 +332,7 @@ FaceAttempt attemptWith(const FaceTask& task, const ChartTraits& chart, int stal
 FaceAttempt fillThroughCharts(FillState& state) {
   for (const ChartTraits* chart : state.charts) {
     const bool isLast = chart == state.charts.back();
-    const int stallLimit = isLast ? lastStallLimit(state.task) : kStallLimit;
+    const int stallLimit = isLast ? lastStallLimit(state) : kStallLimit;
     FaceAttempt attempt = attemptWith(state.task, *chart, stallLimit);
     if (attempt.fault.isNone()) return attempt;
     state.fail(std::string(chart->name) + " charts", std::move(attempt));

@@ -9,8 +9,9 @@ namespace af2::geometry {
 // --- how long a front goes on -------------------------------------------------------------------
 
 /// Consecutive steps without notable progress, for each edge of the front, after which other charts
-/// are tried. With the last charts a front runs to its end; only where the face has failed before,
-/// it is given up after so many, or once every rule has had its turn at every edge.
+/// are tried. With the last charts a front runs to its end; only where other charts or an earlier
+/// try have failed, it is given up after so many, or once every rule has had its turn at every
+/// edge.
 inline constexpr int kStallLimit = 4, kLastStallLimit = 12;
 
 /// Candidates that a front may examine without progress. This is nearly twice the largest number

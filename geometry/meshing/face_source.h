@@ -94,6 +94,8 @@ class FaceSource {
   /// The sizes wanted inside a face where they are below its general size, if they may be too
   /// uneven for a front.
   virtual std::vector<SizeSource> sizesInside(int) const { return {}; }
+  /// Whether the surface of a face has a fault in the model itself that no edges can mend.
+  virtual bool hasFaultySurface(int) const { return false; }
   /// Whether elements may cross even though each face is filled correctly.
   virtual bool mayCross() const { return true; }
   /// Factor for the candidates that retries may use, because charts differ in their cost.

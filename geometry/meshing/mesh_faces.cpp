@@ -155,6 +155,10 @@ class FaceRun final : public RetriedModel {
     return source_.sizesInside(faces_[i]);
   }
 
+  bool hasFaultySurface(std::size_t i) const override {
+    return source_.hasFaultySurface(faces_[i]);
+  }
+
  private:
   void prepare() {
     source_.prepare(options_, faces_);

@@ -17,7 +17,7 @@ void findShortEdges(Retrial& retrial, const FaceMeshes& state, std::size_t face)
 bool mayCollapseEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face) {
   const FaceRecord& record = retrial.faces[face];
   if (!failed(state.meshes[face]) || record.shortEdges.empty()) return false;
-  return record.failures >= kFailuresBeforeCollapse || !retrial.hasBudgetLeft ||
+  return record.failures >= kFailuresBeforeCollapse || record.hasFault || !retrial.hasBudgetLeft ||
          state.meshes[face].diagnosis.places.empty();
 }
 

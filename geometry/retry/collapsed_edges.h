@@ -8,8 +8,8 @@ namespace af2::geometry {
 
 /// Finds the edges that may be collapsed for a face if it failed.
 void findShortEdges(Retrial& retrial, const FaceMeshes& state, std::size_t face);
-/// Only where shorter edges did not help, where their place is unknown, or where they would cost
-/// too much. Meshing a face with fewer edges costs little.
+/// Only where shorter edges did not help, or cannot, where their place is unknown, or where they
+/// would cost too much. Meshing a face with fewer edges costs little.
 bool mayCollapseEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
 /// Replaces all earlier requests for the face.
 std::optional<std::size_t> collapseEdges(Retrial& retrial, FaceMeshes& state, std::size_t face);

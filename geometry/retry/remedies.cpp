@@ -13,7 +13,8 @@ namespace {
 constexpr FaceRemedy kFaceRemedies[] = {
     {"short edges collapsed to points", RemedyTime::BeforeRound, mayCollapseEdges, collapseEdges,
      uncollapseEdges, findShortEdges, false},
-    {"shorter edges", RemedyTime::BeforeRound, mayShortenEdges, shortenEdges, unshortenEdges},
+    {"shorter edges", RemedyTime::BeforeRound, mayShortenEdges, shortenEdges, unshortenEdges,
+     findFault},
     {"protection of neighbors", RemedyTime::AfterRound, isSpoiledNeighbor, protectNeighbor, nullptr,
      rememberBadFace, false},
     {"original edges", RemedyTime::LastRound, hasVainRequests, withdrawRequests, nullptr, nullptr,

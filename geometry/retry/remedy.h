@@ -19,6 +19,7 @@ namespace af2::geometry {
 struct FaceRecord {
   bool wasBad = false;  ///< before any remedy: failed, or had an element that is hardly usable
   bool askedShorter = false;  ///< shorter edges were tried
+  bool hasFault = false;      ///< that no edges can mend; known of faces that failed at first
   bool isGivenUp = false;     ///< no more requests are made for it
   int failures = 0;           ///< tries without benefit
   int softenings = 0;         ///< of its requests

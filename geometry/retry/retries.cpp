@@ -193,11 +193,16 @@ class Retries {
     if (failed(after)) {
       if (!failed(before)) return false;  // it had a mesh, which must not be lost
       // If no front was tried, the next try is as cheap.
-      if (after.searchCost > 0) ++record.failures;
+      if (after.searchCost > 0) record.failures += isFurtherOff(before, after) ? kMaxFailures : 1;
       return record.failures < kMaxFailures || !record.shortEdges.empty();
     }
     return failed(before) || crossingsAt(state, i) > 0 ||
            after.diagnosis.poorness < kProgress * before.diagnosis.poorness;
+  }
+
+  /// Whether a face that failed again is at fault at more places than before.
+  static bool isFurtherOff(const FaceMesh& before, const FaceMesh& after) {
+    return after.diagnosis.places.size() > before.diagnosis.places.size();
   }
 
   /// Or may still come to it.

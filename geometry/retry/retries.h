@@ -55,6 +55,8 @@ class RetriedModel {
   /// The sizes wanted inside a face where they are below its general size, if they may be too
   /// uneven for a front.
   virtual std::vector<SizeSource> sizesInside(std::size_t i) const = 0;
+  /// Whether the surface of a face has a fault in the model itself that no edges can mend.
+  virtual bool hasFaultySurface(std::size_t) const { return false; }
 };
 
 struct RetryOptions {

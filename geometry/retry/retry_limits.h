@@ -30,7 +30,8 @@ inline constexpr double kMinBudgetForLastTry = 300'000;
 
 // --- when a face is given up --------------------------------------------------------------------
 
-/// How often shorter edges are tried on a face that keeps failing, before it is given up.
+/// How often shorter edges are tried on a face that keeps failing, before it is given up; only once
+/// if it is at fault at more places then.
 inline constexpr int kMaxFailures = 3;
 
 /// Failures with shorter edges before short edges of the model are collapsed to points: collapsing

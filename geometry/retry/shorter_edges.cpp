@@ -38,8 +38,15 @@ std::vector<SizeSource> sizesToFollow(const Retrial& retrial, const FaceMeshes& 
 
 }  // namespace
 
+void findFault(Retrial& retrial, const FaceMeshes& state, std::size_t face) {
+  const FaceMesh& mesh = state.meshes[face];
+  retrial.faces[face].hasFault =
+      failed(mesh) && mesh.diagnosis.isBad && retrial.model.hasFaultySurface(face);
+}
+
 bool mayShortenEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face) {
   if (!retrial.hasBudgetLeft) return false;
+  if (failed(state.meshes[face]) && retrial.faces[face].hasFault) return false;
   if (crossingsAt(state, face) > 0) return true;
   // A mesh that is fit for use is made nicer once, but not at any price.
   if (!state.meshes[face].diagnosis.isBad && retrial.faces[face].askedShorter) return false;

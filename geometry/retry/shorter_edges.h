@@ -6,6 +6,8 @@
 
 namespace af2::geometry {
 
+/// Whether shorter edges would be in vain for a face that failed.
+void findFault(Retrial& retrial, const FaceMeshes& state, std::size_t face);
 bool mayShortenEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
 std::optional<std::size_t> shortenEdges(Retrial& retrial, FaceMeshes& state, std::size_t face);
 /// Removes all requests of a face that had failed, all places of a face that fails or crosses

@@ -327,6 +327,13 @@ std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
   }
 }
 
+std::optional<SurfaceFault> surfaceFault(const ModelShape& model, int face, double size) {
+  constexpr double kShareOfModel = 0.05;  // with larger sizes, bends that can be seen are no folds
+  if (BRep_Tool::Surface(model.face(face)).IsNull() || model.surface(face).isPlane())
+    return std::nullopt;
+  return surfaceFault(model.face(face), std::min(size, kShareOfModel * model.diagonal));
+}
+
 std::string textOf(const SurfaceFault& fault) {
   if (fault.kind == SurfaceFault::Kind::Crossing)
     return "in the model itself its surface crosses itself at " + textOf(fault.place) +
@@ -340,8 +347,7 @@ std::string textOf(const SurfaceFault& fault) {
 }
 
 void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
-  constexpr int kMaxReported = 20;        // where many have faults, the first ones are enough
-  constexpr double kShareOfModel = 0.05;  // with larger sizes, bends that can be seen are no folds
+  constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
   const std::vector<bool> hasNeedles =
       facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
   int examined = 0;
@@ -352,8 +358,7 @@ void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) 
         face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
     if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
     if (++examined > kMaxReported) break;
-    const auto fault =
-        surfaceFault(model.face(face.id), std::min(size, kShareOfModel * model.diagonal));
+    const auto fault = surfaceFault(model, face.id, size);
     std::string cause = fault ? textOf(*fault) : "";
     if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
     if (cause.empty()) continue;

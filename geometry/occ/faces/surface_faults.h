@@ -26,6 +26,11 @@ struct SurfaceFault {
 /// without length between others, as where a profile that is turned crosses its axis.
 std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size);
 
+/// The same for a face of a model. Planes have none.
+///
+/// size  edge length of the mesh
+std::optional<SurfaceFault> surfaceFault(const ModelShape& model, int face, double size);
+
 /// "in the model itself, ..."
 std::string textOf(const SurfaceFault& fault);
 

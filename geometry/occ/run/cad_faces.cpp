@@ -161,6 +161,10 @@ std::vector<SizeSource> CadFaces::sizesInside(int face) const {
   return geometry::sizesInside(*shape_, face, sizes_);
 }
 
+bool CadFaces::hasFaultySurface(int face) const {
+  return surfaceFault(*shape_, face, sizes_.size).has_value();
+}
+
 void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.unit = model_.unit();
   mesh.fileUnit = model_.fileUnit();

@@ -12,10 +12,8 @@ namespace af2::geometry {
 namespace {
 
 /// Chord between unit normals: about 32 degrees, as at seams.
-constexpr double kKink = 0.55;
-/// Chord between unit normals: a turn that no element can span well.
-constexpr double kTight = 1.0;
-/// A tight turn within this length, as a share of the wanted size, is a crease.
+constexpr double kSharp = 0.55;
+/// A sharp turn within this length, as a share of the wanted size, is a crease.
 constexpr double kWithin = 0.06;
 /// Creases nearer to each other than this share of the wanted size are one.
 constexpr double kApart = 0.15;
@@ -115,7 +113,7 @@ class CreaseFinder {
         for (const ParameterLine& line : *lines) {
           const double turn = turnBetween(line.at(b - beside()), line.at(b + beside()));
           largest = std::max(largest, turn);
-          if (turn > kKink) ++count;
+          if (turn > kSharp) ++count;
         }
       }
       if (count >= kMin) found.push_back({b - beside(), b, b + beside(), largest});
@@ -219,7 +217,7 @@ class CreaseFinder {
         addCalm(line, best, found);
         best.turn = 0;
       }
-      if (turn >= kTight && turn > best.turn)
+      if (turn >= kSharp && turn > best.turn)
         best =
             Crease{places[first].parameter, (places[first].parameter + places[last].parameter) / 2,
                    places[last].parameter, turn};

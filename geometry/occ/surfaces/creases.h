@@ -9,10 +9,9 @@
 
 namespace af2::geometry {
 
-/// Finds creases along the whole of a face: where the normal jumps by more than about 30 degrees,
-/// as on a spline at a knot of full multiplicity, or turns by more than a radian within a few
-/// hundredths of the wanted size. Also finds pinches, where the face shrinks to a point and
-/// continues.
+/// Finds creases along the whole of a face: where the normal turns by more than about 30 degrees at
+/// once, as on a spline at a knot of full multiplicity, or within a few hundredths of the wanted
+/// size. Also finds pinches, where the face shrinks to a point and continues.
 ///
 /// box   the part of the parameters that the face occupies
 /// size  of elements; if not positive, only jumps of the normal count

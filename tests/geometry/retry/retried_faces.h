@@ -54,9 +54,11 @@ class RetriedFaces : public geometry::RetriedModel {
   }
   void join(geometry::FaceMeshes&) const override {}
   std::vector<geometry::SizeSource> sizesInside(std::size_t) const override { return inside; }
+  bool hasFaultySurface(std::size_t) const override { return isFaulty; }
 
   std::vector<geometry::CollapsedEdges> choices;
   std::vector<geometry::SizeSource> inside;
+  bool isFaulty = false;
 
  private:
   std::vector<std::vector<int>> edges_;

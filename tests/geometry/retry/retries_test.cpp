@@ -156,6 +156,44 @@ TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
   EXPECT_TRUE(state.faults.crossings.empty());
 }
 
+/// A face that fails at more and more places, or at as many.
+class StubbornModel final : public ModelOfSizes {
+ public:
+  explicit StubbornModel(std::size_t more) : ModelOfSizes(1), more_(more) {}
+
+  void mesh(std::size_t, const PositionSize&, const TryLimits& limits,
+            FaceMeshes& into) const override {
+    into.meshes[0] = failure(1 + more_ * tries);
+    if (!limits.ignoresNormals) ++tries;
+  }
+  void join(FaceMeshes&) const override {}
+
+  static FaceMesh failure(std::size_t places) {
+    FaceMesh mesh = HopelessModel::failure(0, 1000);
+    mesh.diagnosis.places.resize(places, mesh.diagnosis.places.front());
+    return mesh;
+  }
+
+  mutable std::size_t tries = 1;
+
+ private:
+  std::size_t more_;
+};
+
+TEST(Retries, EndOnceAFaceIsAtFaultAtMorePlaces) {
+  const auto triesOf = [](std::size_t more) {
+    const StubbornModel model(more);
+    FaceMeshes state;
+    state.meshes.push_back(StubbornModel::failure(1));
+    RetryOptions options;
+    options.largest = StubbornModel::kLargest;
+    retryPoorFaces(model, options, state);
+    return model.tries;
+  };
+  EXPECT_EQ(triesOf(1), 2u) << "the first mesh, and one with shorter edges";
+  EXPECT_EQ(triesOf(0), 4u);
+}
+
 /// A face that has a mesh, though a poor one, only if its edges are short, and not too short.
 class ParticularModel final : public ModelOfSizes {
  public:

@@ -29,6 +29,19 @@ TEST(ShorterEdges, AreNotAskedForAtAFaceWithoutFault) {
   EXPECT_FALSE(mayShortenEdges(of.retrial, state, 0));
 }
 
+TEST(ShorterEdges, AreNotAskedForWhereTheModelIsAtFault) {
+  testing::RetriedFaces model(testing::Edges{{1}});
+  model.isFaulty = true;
+  testing::RetrialOf of(model);
+  FaceMeshes state;
+  state.meshes = {testing::failedFace(1, {kPlace})};
+  findFault(of.retrial, state, 0);
+  EXPECT_FALSE(mayShortenEdges(of.retrial, state, 0));
+  state.meshes = {testing::goodFace(1)};
+  state.meshes[0].diagnosis.places = {kPlace};
+  EXPECT_TRUE(mayShortenEdges(of.retrial, state, 0)) << "it has a mesh, which may become better";
+}
+
 TEST(ShorterEdges, AreAskedForOnceIfAMeshIsFitForUse) {
   const testing::RetriedFaces model(testing::Edges{{1}});
   testing::RetrialOf of(model);

@@ -41,6 +41,12 @@ TopoDS_Face fold() {
   return extrusion(testing::polyline({{0, 0, 0}, {2, 0, 0}, {1.5, 0.05, 0}, {4, 0.1, 0}}));
 }
 
+TEST(SurfaceFault, OfAFaceWithoutSurfaceIsNone) {
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face);
+  EXPECT_FALSE(surfaceFault(testing::modelOf(face).shape(), 1, 0.5));
+}
+
 TEST(SurfaceFault, IsACrossingWhereASurfaceCrossesItself) {
   const auto fault = surfaceFault(loop(), 0.5);
   ASSERT_TRUE(fault);

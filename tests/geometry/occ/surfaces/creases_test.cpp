@@ -168,21 +168,32 @@ TEST(Creases, OfClosedFacesAreKept) {
   }
 }
 
-/// Sides of a prism with rounded corners, all one spline.
-TopoDS_Shape roundedPrism(double radius) {
+/// A plane polygon with rounded corners, its outline one spline.
+TopoDS_Face roundedPolygon(const std::vector<gp_Pnt>& corners, double radius) {
+  const std::size_t n = corners.size();
+  std::vector<gp_Pnt> starts, ends;  // of the straight pieces after and before each corner
+  for (std::size_t i = 0; i < n; ++i) {
+    const gp_Vec in(corners[(i + n - 1) % n], corners[i]), out(corners[i], corners[(i + 1) % n]);
+    const double cut = radius * std::tan(in.Angle(out) / 2);
+    ends.push_back(corners[i].Translated(-cut * in.Normalized()));
+    starts.push_back(corners[i].Translated(cut * out.Normalized()));
+  }
   GeomConvert_CompCurveToBSplineCurve joined(Convert_QuasiAngular);
-  const double r = radius, s = 1 - radius;
-  const std::vector<gp_Pnt> starts{{-s, -1, 0}, {1, -s, 0}, {s, 1, 0}, {-1, s, 0}};
-  const std::vector<gp_Pnt> ends{{s, -1, 0}, {1, s, 0}, {-s, 1, 0}, {-1, -s, 0}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const gp_Pnt& next = starts[(i + 1) % 4];
-    joined.Add(GC_MakeSegment(starts[i], ends[i]).Value(), 1e-7, true);
-    joined.Add(GC_MakeArcOfCircle(ends[i], gp_Vec(starts[i], ends[i]), next).Value(), r / 100,
-               true);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    joined.Add(GC_MakeSegment(starts[i], ends[next]).Value(), 1e-7, true);
+    joined.Add(GC_MakeArcOfCircle(ends[next], gp_Vec(starts[i], ends[next]), starts[next]).Value(),
+               radius / 100, true);
   }
   const TopoDS_Wire wire =
       BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(joined.BSplineCurve()).Edge());
-  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire, true).Face(), gp_Vec(0, 0, 2)).Shape();
+  return BRepBuilderAPI_MakeFace(wire, true).Face();
+}
+
+/// Its sides are one face.
+TopoDS_Shape roundedPrism(double radius) {
+  const TopoDS_Face base = roundedPolygon({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, radius);
+  return BRepPrimAPI_MakePrism(base, gp_Vec(0, 0, 2)).Shape();
 }
 
 double leastAngle(const ModelMesh& mesh) {
@@ -205,6 +216,27 @@ TEST(Creases, WhereTheRadiusIsFarBelowTheSizeAreEdges) {
   expectComplete(result, areaOf(shape), 0.01);
   EXPECT_GT(leastAngle(result), 15);
   EXPECT_GE(segmentsAlongCreases(result, model), 3u * 7u);
+}
+
+/// A ring with a section of seven sides, its surface one face: each crease turns by 51 degrees.
+/// Elements that followed them would be a hundred times smaller than the others.
+TEST(Creases, OfLessThanARadianAreEdges) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  std::vector<gp_Pnt> corners;
+  for (int i = 0; i < 7; ++i)
+    corners.emplace_back(2.6 + std::cos(kTurn * i / 7), 0, std::sin(kTurn * i / 7));
+  const TopoDS_Shape ring =
+      BRepPrimAPI_MakeRevol(roundedPolygon(corners, 0.003), gp_Ax1({0, 0, 0}, {0, 0, 1})).Shape();
+  for (const double turn : {0, 12}) {
+    MeshingOptions options = ofSize(0.16);
+    options.sizes.elementsPerTurn = turn;
+    const Model model = modelOf(ring);
+    const ModelMesh result = mesh(model, options);
+    expectComplete(result, areaOf(ring), 0.01);
+    EXPECT_GT(leastAngle(result), 25);
+    EXPECT_LT(result.elements.size(), 15'000u);
+    EXPECT_GE(segmentsAlongCreases(result, model), 6u * 60u);
+  }
 }
 
 /// Extruded between the middles of two roundings, so that the face ends in both.
