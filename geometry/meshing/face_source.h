@@ -96,6 +96,8 @@ class FaceSource {
   virtual std::vector<SizeSource> sizesInside(int) const { return {}; }
   /// Whether the surface of a face has a fault in the model itself that no edges can mend.
   virtual bool hasFaultySurface(int) const { return false; }
+  /// Whether a face meets others in the model itself, where its elements cross theirs.
+  virtual bool meetsOthers(int, const std::vector<Crossing>&) const { return false; }
   /// Whether elements may cross even though each face is filled correctly.
   virtual bool mayCross() const { return true; }
   /// Factor for the candidates that retries may use, because charts differ in their cost.

@@ -159,6 +159,10 @@ class FaceRun final : public RetriedModel {
     return source_.hasFaultySurface(faces_[i]);
   }
 
+  bool meetsOthers(std::size_t i, const std::vector<Crossing>& crossings) const override {
+    return source_.meetsOthers(faces_[i], crossings);
+  }
+
  private:
   void prepare() {
     source_.prepare(options_, faces_);

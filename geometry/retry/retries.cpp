@@ -209,8 +209,9 @@ class Retries {
   bool crossesLess(const FaceMeshes& state, const FaceMeshes& next, std::size_t i) {
     const auto crossed = static_cast<double>(crossingsAt(state, i));
     const auto crosses = static_cast<double>(crossingsAt(next, i));
-    return crosses == 0 || crosses < kProgress * crossed ||
-           ++retrial_.faces[i].failures < kMaxTriesAtCrossings;
+    if (crosses == 0 || crosses < kProgress * crossed) return true;
+    return ++retrial_.faces[i].failures < kMaxTriesAtCrossings &&
+           !retrial_.model.meetsOthers(i, next.faults.crossings);
   }
 
   void lastRound(RetryState& state) {

@@ -57,6 +57,8 @@ class RetriedModel {
   virtual std::vector<SizeSource> sizesInside(std::size_t i) const = 0;
   /// Whether the surface of a face has a fault in the model itself that no edges can mend.
   virtual bool hasFaultySurface(std::size_t) const { return false; }
+  /// Whether a face meets others in the model itself, where its elements cross theirs.
+  virtual bool meetsOthers(std::size_t, const std::vector<Crossing>&) const { return false; }
 };
 
 struct RetryOptions {

@@ -137,9 +137,9 @@ std::map<int, std::vector<Point3>> placesByFace(const std::vector<Crossing>& cro
   return places;
 }
 
-/// Words for where a face meets another one; empty if that is not so.
-std::string meetingOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
-                      double away) {
+/// Words for a common point of a face and another one; empty if there is none.
+std::string commonPointOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
+                          double away) {
   constexpr std::size_t kMaxFaces = 6, kPlaces = 4;
   std::size_t faces = 0;
   for (const auto& [other, places] : placesByFace(crossings, face)) {
@@ -174,15 +174,20 @@ std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int oth
   }
 }
 
+std::string meetingOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
+                      double size) {
+  constexpr double kAway = 0.02;  // of the size
+  const std::string meeting = narrowAngleOf(model, face);
+  return meeting.empty() ? commonPointOf(model, face, crossings, kAway * size) : meeting;
+}
+
 void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& crossings,
                         double size, std::vector<FaceReport>& faces) {
-  constexpr double kAway = 0.02;    // of the size
   constexpr int kMaxReported = 20;  // where many cross, the first ones are enough
   int reported = 0;
   for (FaceReport& face : faces) {
     if (face.status != FaceStatus::Failed || reported == kMaxReported) continue;
-    std::string meeting = narrowAngleOf(model, face.id);
-    if (meeting.empty()) meeting = meetingOf(model, face.id, crossings, kAway * size);
+    const std::string meeting = meetingOf(model, face.id, crossings, size);
     if (meeting.empty()) continue;
     face.reason += "; " + meeting;
     ++reported;

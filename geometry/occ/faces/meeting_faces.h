@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/check/element_crossings.h"
@@ -21,6 +22,14 @@ struct CommonPoint {
 /// search from a place nearby. None if the search does not converge to such a point.
 std::optional<CommonPoint> commonPoint(const ModelShape& model, int one, int other,
                                        const Point3& nearby, double away);
+
+/// Words for where a face meets another one in the model itself, or encloses an angle below 0.3
+/// degrees with it at an edge; empty if that is not so.
+///
+/// crossings  of elements of the face with those of others: where to look
+/// size       edge length of the mesh
+std::string meetingOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
+                      double size);
 
 /// Where faces failed because their elements cross those of other faces, and the faces themselves
 /// cross, adds this to the reasons: no mesh can be valid there. So it does where faces that failed

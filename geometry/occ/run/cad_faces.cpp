@@ -165,6 +165,10 @@ bool CadFaces::hasFaultySurface(int face) const {
   return surfaceFault(*shape_, face, sizes_.size).has_value();
 }
 
+bool CadFaces::meetsOthers(int face, const std::vector<Crossing>& crossings) const {
+  return !meetingOf(*shape_, face, crossings, sizes_.size).empty();
+}
+
 void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.unit = model_.unit();
   mesh.fileUnit = model_.fileUnit();

@@ -121,11 +121,13 @@ class TouchingModel final : public ModelOfSizes {
   static constexpr int kPlaces = 7;
   static constexpr double kWanted = 0.3;
 
-  TouchingModel() : ModelOfSizes(2) {}
+  explicit TouchingModel(bool meet) : ModelOfSizes(2), meet_(meet) {}
 
   void mesh(std::size_t i, const PositionSize&, const TryLimits&, FaceMeshes& into) const override {
     into.meshes[i] = face(i);
+    ++meshed;
   }
+  bool meetsOthers(std::size_t, const std::vector<Crossing>&) const override { return meet_; }
   void join(FaceMeshes& state) const override {
     state.joined = {};
     state.faults = {};
@@ -144,16 +146,31 @@ class TouchingModel final : public ModelOfSizes {
     mesh.searchCost = 1000;
     return mesh;
   }
+
+  mutable std::atomic<std::size_t> meshed = 0;
+
+ private:
+  bool meet_;
 };
 
-TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
-  const TouchingModel model;
+FaceMeshes retried(const TouchingModel& model) {
   FaceMeshes state;
   for (std::size_t i = 0; i < 2; ++i) state.meshes.push_back(TouchingModel::face(i));
   RetryOptions options;
   options.largest = TouchingModel::kLargest;
   retryPoorFaces(model, options, state);
-  EXPECT_TRUE(state.faults.crossings.empty());
+  return state;
+}
+
+TEST(Retries, GoOnAlongALineWhereFacesAllButTouch) {
+  const TouchingModel model(false);
+  EXPECT_TRUE(retried(model).faults.crossings.empty());
+}
+
+TEST(Retries, EndWhereFacesMeetInTheModel) {
+  const TouchingModel model(true);
+  EXPECT_FALSE(retried(model).faults.crossings.empty());
+  EXPECT_LE(model.meshed, 2u * 2u) << "once with shorter edges, and once without";
 }
 
 /// A face that fails at more and more places, or at as many.
