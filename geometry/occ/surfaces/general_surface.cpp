@@ -182,7 +182,7 @@ Point3 GeneralSurface::normalAtBoundary(double u, double v) const {
 }
 
 GeneralSurface::Radii GeneralSurface::radiiAt(double u, double v) const {
-  const SurfaceJet s = values_.jetAt(u, v);
+  const SurfaceJet s = values_.bendAt(u, v);
   const Point3 normal = cross(s.du, s.dv);
   const auto radiusAlong = [&](const Point3& first, const Point3& second) {
     const double bend = std::abs(dot(second, normal));

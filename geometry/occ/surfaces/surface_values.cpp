@@ -5,8 +5,10 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Precision.hxx>
 
+#include "geometry/charts/spline_offset.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {
@@ -114,22 +116,31 @@ std::optional<SplineDefinition> splineDefinitionOf(const GeomAdaptor_Surface& su
 
 SurfaceValues::SurfaceValues(const Handle(Geom_Surface) & surface, const SplineSurface::Box& box)
     : surface_(surface), adaptor_(std::make_unique<GeomAdaptor_Surface>(surface)) {
-  const auto definition = splineDefinitionOf(*adaptor_, box);
+  const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface);
+  const auto definition = splineDefinitionOf(
+      offset.IsNull() ? *adaptor_ : GeomAdaptor_Surface(offset->BasisSurface()), box);
   if (!definition) return;
   auto spline = SplineSurface::make(*definition, box);
   if (!spline) return;
   spline_ = std::make_shared<const SplineSurface>(std::move(*spline));
-  adaptor_.reset();
+  if (offset.IsNull())
+    adaptor_.reset();
+  else
+    offset_ = offset->Offset();
 }
 
 SurfaceValues::SurfaceValues(const SurfaceValues& other)
     : surface_(other.surface_),
       spline_(other.spline_),
-      adaptor_(spline_ ? nullptr : std::make_unique<GeomAdaptor_Surface>(surface_)) {}
+      offset_(other.offset_),
+      adaptor_(other.adaptor_ ? std::make_unique<GeomAdaptor_Surface>(surface_) : nullptr) {}
 
 SurfaceFrame SurfaceValues::frameAt(double u, double v) const {
-  if (spline_)
+  if (offset_ != 0) {
+    if (const auto bend = offsetBendAt(u, v)) return {bend->position, bend->du, bend->dv};
+  } else if (spline_) {
     if (const auto frame = spline_->frameAt(u, v)) return *frame;
+  }
   gp_Pnt position;
   gp_Vec du, dv;
   if (adaptor_)
@@ -140,7 +151,7 @@ SurfaceFrame SurfaceValues::frameAt(double u, double v) const {
 }
 
 SurfaceJet SurfaceValues::jetAt(double u, double v) const {
-  if (spline_)
+  if (spline_ && offset_ == 0)
     if (const auto jet = spline_->jetAt(u, v)) return *jet;
   gp_Pnt position;
   gp_Vec du, dv, duu, dvv, duv;
@@ -149,6 +160,17 @@ SurfaceJet SurfaceValues::jetAt(double u, double v) const {
   else
     surface_->D2(u, v, position, du, dv, duu, dvv, duv);
   return {toPoint(position), toPoint(du), toPoint(dv), toPoint(duu), toPoint(duv), toPoint(dvv)};
+}
+
+SurfaceJet SurfaceValues::bendAt(double u, double v) const {
+  if (offset_ != 0)
+    if (const auto bend = offsetBendAt(u, v)) return *bend;
+  return jetAt(u, v);
+}
+
+std::optional<SurfaceJet> SurfaceValues::offsetBendAt(double u, double v) const {
+  const auto base = spline_->jetAt(u, v);
+  return base ? offsetBend(*base, offset_) : std::nullopt;
 }
 
 }  // namespace af2::geometry

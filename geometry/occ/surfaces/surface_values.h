@@ -1,5 +1,5 @@
-// Position and derivatives of a CAD surface: from tables of our own for splines, from OpenCASCADE
-// for the others. Not installed: includers need OpenCASCADE's headers.
+// Position and derivatives of a CAD surface: from tables of our own for splines and their offsets,
+// from OpenCASCADE for the others. Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
 #include <GeomAdaptor_Surface.hxx>
@@ -28,11 +28,17 @@ class SurfaceValues {
 
   SurfaceFrame frameAt(double u, double v) const;
   SurfaceJet jetAt(double u, double v) const;
+  /// The same, but only the parts of the second derivatives along the normal are right, which tell
+  /// how the surface bends. Cheaper on an offset.
+  SurfaceJet bendAt(double u, double v) const;
 
  private:
+  std::optional<SurfaceJet> offsetBendAt(double u, double v) const;
+
   Handle(Geom_Surface) surface_;
   std::shared_ptr<const SplineSurface> spline_;   ///< null: there is none
-  std::unique_ptr<GeomAdaptor_Surface> adaptor_;  ///< without a spline
+  double offset_ = 0;                             ///< of the surface from the spline
+  std::unique_ptr<GeomAdaptor_Surface> adaptor_;  ///< unless the surface is the spline
 };
 
 }  // namespace af2::geometry

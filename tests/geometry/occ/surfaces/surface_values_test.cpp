@@ -6,6 +6,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -77,6 +78,23 @@ void expectSame(const SurfaceJet& ours, const Handle(Geom_Surface) & surface, do
   EXPECT_LE(distance(ours.duu, toPoint(duu)), 1e-11 * second);
   EXPECT_LE(distance(ours.duv, toPoint(duv)), 1e-11 * second);
   EXPECT_LE(distance(ours.dvv, toPoint(dvv)), 1e-11 * second);
+}
+
+/// Of the second derivatives, only the parts along the normal.
+void expectSameBend(const SurfaceJet& ours, const Handle(Geom_Surface) & surface, double u,
+                    double v) {
+  gp_Pnt p;
+  gp_Vec du, dv, duu, dvv, duv;
+  surface->D2(u, v, p, du, dv, duu, dvv, duv);
+  const double first = 1 + du.Magnitude() + dv.Magnitude();
+  const double second = first + duu.Magnitude() + duv.Magnitude() + dvv.Magnitude();
+  EXPECT_LE(distance(ours.position, toPoint(p)), 1e-12 * 20);
+  EXPECT_LE(distance(ours.du, toPoint(du)), 1e-10 * second);
+  EXPECT_LE(distance(ours.dv, toPoint(dv)), 1e-10 * second);
+  const Point3 normal = unit(cross(toPoint(du), toPoint(dv)));
+  EXPECT_NEAR(dot(ours.duu, normal), dot(toPoint(duu), normal), 1e-8 * second);
+  EXPECT_NEAR(dot(ours.duv, normal), dot(toPoint(duv), normal), 1e-8 * second);
+  EXPECT_NEAR(dot(ours.dvv, normal), dot(toPoint(dvv), normal), 1e-8 * second);
 }
 
 void expectAgreement(const Handle(Geom_Surface) & surface, std::mt19937& random) {
@@ -204,6 +222,43 @@ TEST(SurfaceValues, OfExtrudedSplinesAreThoseOfOpenCascade) {
     const double u1 = section->FirstParameter(), u2 = section->LastParameter();
     expectAgreement(new Geom_RectangularTrimmedSurface(extrusion, u1, u2, -3.0, 7.0), random);
   }
+}
+
+TEST(SurfaceValues, OfOffsetsAreThoseOfOpenCascade) {
+  std::mt19937 random(20257);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const bool rational : {false, true})
+    for (const double distance : {0.02, -0.3}) {
+      const Handle(Geom_Surface) surface = new Geom_OffsetSurface(
+          makeSpline({3, 4, 6, 5, false, false, rational}, random), distance);
+      const SplineSurface::Box box = wholeOf(surface);
+      const SurfaceValues values(surface, box), copy = values;
+      for (int i = 0; i < 60; ++i) {
+        const double u = box.u1 + share(random) * (box.u2 - box.u1);
+        const double v = box.v1 + share(random) * (box.v2 - box.v1);
+        const SurfaceJet bend = values.bendAt(u, v);
+        const SurfaceFrame frame = copy.frameAt(u, v);
+        EXPECT_EQ(frame.position, bend.position);
+        EXPECT_EQ(frame.du, bend.du);
+        EXPECT_EQ(frame.dv, bend.dv);
+        expectSameBend(bend, surface, u, v);
+        expectSame(values.jetAt(u, v), surface, u, v);
+      }
+    }
+}
+
+/// Where the base has no normal, OpenCASCADE knows what to do.
+TEST(SurfaceValues, OfOffsetsFromPolesAreThoseOfOpenCascade) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 2);
+  for (int i = 1; i <= 3; ++i) {
+    poles(i, 1) = gp_Pnt(i - 2, i == 2 ? -1 : 0, 0);
+    poles(i, 2) = gp_Pnt(0, 0, 1);
+  }
+  const Handle(Geom_Surface) surface = new Geom_OffsetSurface(new Geom_BezierSurface(poles), 0.1);
+  const SurfaceValues values(surface, wholeOf(surface));
+  gp_Pnt pole;
+  surface->D0(0.5, 1, pole);
+  EXPECT_LT(distance(values.frameAt(0.5, 1).position, toPoint(pole)), 1e-9);
 }
 
 TEST(SurfaceValues, AreThoseOfOpenCascadeOutsideTheBox) {
