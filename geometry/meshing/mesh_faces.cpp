@@ -15,6 +15,7 @@
 #include "geometry/base/free_memory.h"
 #include "geometry/check/sound_faces.h"
 #include "geometry/fill/face_filling.h"
+#include "geometry/layers/missing_layers.h"
 #include "geometry/mesh/inside_out.h"
 #include "geometry/mesh/join_faces.h"
 #include "geometry/mesh/narrow_places.h"
@@ -269,7 +270,7 @@ class FaceRun final : public RetriedModel {
       });
     for (EdgeSegment& segment : mesh.segments) segment.edge = source_.idOfEdge(segment.edge);
     source_.complete(state.faults, mesh);
-    tellOfMissingLayers(mesh);
+    tellOfMissingLayers(options_.layers, mesh);
     if (isInsideOut(mesh)) mesh.notes.emplace_back(kInsideOut);
     if (options_.sizes.size < options_.sizes.minSize)
       mesh.notes.push_back(raisedSizeNote(options_.sizes));
@@ -277,24 +278,6 @@ class FaceRun final : public RetriedModel {
     if (isBounded) result = measured(source_, options_, std::move(result.mesh), std::move(curves));
     if (options_.order == 2) makeSecondOrder(result.mesh, middlesOf(result.mesh, middles));
     return result;
-  }
-
-  /// Requests of which there is not a single layer.
-  void tellOfMissingLayers(ModelMesh& mesh) const {
-    for (const LayerRequest& request : options_.layers) {
-      std::size_t edges = 0, most = 0;
-      for (const FaceReport& face : mesh.faces)
-        for (const LayersAlongEdge& along : face.layers) {
-          if (std::ranges::count(request.edges, along.edge) == 0) continue;
-          ++edges;
-          most = std::max(most, along.most);
-        }
-      if (edges > 0 && most == 0)
-        mesh.findings.push_back(
-            "there are no layers along edge " + std::to_string(request.edges.front()) +
-            (request.edges.size() > 1 ? " and the others of its request" : "") +
-            ": a first layer of height " + af2::textOf(request.first, 4) + " has no room there");
-    }
   }
 
   FaceSource& source_;
