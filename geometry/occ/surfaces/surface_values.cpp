@@ -8,7 +8,7 @@
 #include <Geom_OffsetSurface.hxx>
 #include <Precision.hxx>
 
-#include "geometry/charts/spline_offset.h"
+#include "geometry/charts/offset_surface.h"
 #include "geometry/occ/base/points.h"
 
 namespace af2::geometry {

@@ -65,36 +65,43 @@ SplineSurface::Box wholeOf(const Handle(Geom_Surface) & surface) {
   return box;
 }
 
+/// What OpenCASCADE gives, and what derivatives of first and second order are compared with.
+struct OccValues {
+  SurfaceJet jet;
+  double first, second;
+
+  OccValues(const Handle(Geom_Surface) & surface, double u, double v) {
+    gp_Pnt p;
+    gp_Vec du, dv, duu, dvv, duv;
+    surface->D2(u, v, p, du, dv, duu, dvv, duv);
+    jet = {toPoint(p), toPoint(du), toPoint(dv), toPoint(duu), toPoint(duv), toPoint(dvv)};
+    first = 1 + length(jet.du) + length(jet.dv);
+    second = first + length(jet.duu) + length(jet.duv) + length(jet.dvv);
+  }
+};
+
 /// The values agree to 1e-13 of what such a surface can have, derivatives included.
 void expectSame(const SurfaceJet& ours, const Handle(Geom_Surface) & surface, double u, double v) {
-  gp_Pnt p;
-  gp_Vec du, dv, duu, dvv, duv;
-  surface->D2(u, v, p, du, dv, duu, dvv, duv);
-  const double first = 1 + du.Magnitude() + dv.Magnitude();
-  const double second = first + duu.Magnitude() + duv.Magnitude() + dvv.Magnitude();
-  EXPECT_LE(distance(ours.position, toPoint(p)), 1e-13 * 20);
-  EXPECT_LE(distance(ours.du, toPoint(du)), 1e-12 * first);
-  EXPECT_LE(distance(ours.dv, toPoint(dv)), 1e-12 * first);
-  EXPECT_LE(distance(ours.duu, toPoint(duu)), 1e-11 * second);
-  EXPECT_LE(distance(ours.duv, toPoint(duv)), 1e-11 * second);
-  EXPECT_LE(distance(ours.dvv, toPoint(dvv)), 1e-11 * second);
+  const auto [occ, first, second] = OccValues(surface, u, v);
+  EXPECT_LE(distance(ours.position, occ.position), 1e-13 * 20);
+  EXPECT_LE(distance(ours.du, occ.du), 1e-12 * first);
+  EXPECT_LE(distance(ours.dv, occ.dv), 1e-12 * first);
+  EXPECT_LE(distance(ours.duu, occ.duu), 1e-11 * second);
+  EXPECT_LE(distance(ours.duv, occ.duv), 1e-11 * second);
+  EXPECT_LE(distance(ours.dvv, occ.dvv), 1e-11 * second);
 }
 
 /// Of the second derivatives, only the parts along the normal.
 void expectSameBend(const SurfaceJet& ours, const Handle(Geom_Surface) & surface, double u,
                     double v) {
-  gp_Pnt p;
-  gp_Vec du, dv, duu, dvv, duv;
-  surface->D2(u, v, p, du, dv, duu, dvv, duv);
-  const double first = 1 + du.Magnitude() + dv.Magnitude();
-  const double second = first + duu.Magnitude() + duv.Magnitude() + dvv.Magnitude();
-  EXPECT_LE(distance(ours.position, toPoint(p)), 1e-12 * 20);
-  EXPECT_LE(distance(ours.du, toPoint(du)), 1e-10 * second);
-  EXPECT_LE(distance(ours.dv, toPoint(dv)), 1e-10 * second);
-  const Point3 normal = unit(cross(toPoint(du), toPoint(dv)));
-  EXPECT_NEAR(dot(ours.duu, normal), dot(toPoint(duu), normal), 1e-8 * second);
-  EXPECT_NEAR(dot(ours.duv, normal), dot(toPoint(duv), normal), 1e-8 * second);
-  EXPECT_NEAR(dot(ours.dvv, normal), dot(toPoint(dvv), normal), 1e-8 * second);
+  const auto [occ, first, second] = OccValues(surface, u, v);
+  EXPECT_LE(distance(ours.position, occ.position), 1e-12 * 20);
+  EXPECT_LE(distance(ours.du, occ.du), 1e-10 * second);
+  EXPECT_LE(distance(ours.dv, occ.dv), 1e-10 * second);
+  const Point3 normal = unit(cross(occ.du, occ.dv));
+  EXPECT_NEAR(dot(ours.duu, normal), dot(occ.duu, normal), 1e-8 * second);
+  EXPECT_NEAR(dot(ours.duv, normal), dot(occ.duv, normal), 1e-8 * second);
+  EXPECT_NEAR(dot(ours.dvv, normal), dot(occ.dvv, normal), 1e-8 * second);
 }
 
 void expectAgreement(const Handle(Geom_Surface) & surface, std::mt19937& random) {

@@ -1,4 +1,4 @@
-#include "geometry/charts/spline_offset.h"
+#include "geometry/charts/offset_surface.h"
 
 namespace af2::geometry {
 
