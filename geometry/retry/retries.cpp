@@ -210,8 +210,9 @@ class Retries {
     const auto crossed = static_cast<double>(crossingsAt(state, i));
     const auto crosses = static_cast<double>(crossingsAt(next, i));
     if (crosses == 0 || crosses < kProgress * crossed) return true;
-    return ++retrial_.faces[i].failures < kMaxTriesAtCrossings &&
-           !retrial_.model.meetsOthers(i, next.faults.crossings);
+    if (++retrial_.faces[i].failures >= kMaxTriesAtCrossings) return false;
+    const RetriedModel& model = retrial_.model;  // no edges mend what crosses there
+    return !model.hasFaultySurface(i) && !model.meetsOthers(i, next.faults.crossings);
   }
 
   void lastRound(RetryState& state) {

@@ -6,7 +6,7 @@
 
 namespace af2::geometry {
 
-/// Whether shorter edges would be in vain for a face that failed.
+/// Finds out whether a face that failed has a fault that shorter edges cannot mend.
 void findFault(Retrial& retrial, const FaceMeshes& state, std::size_t face);
 bool mayShortenEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face);
 std::optional<std::size_t> shortenEdges(Retrial& retrial, FaceMeshes& state, std::size_t face);

@@ -84,6 +84,24 @@ TEST(MeetingFaces, AreToldOfFacesThatFailed) {
       << faces[1].reason;
 }
 
+/// Four walls in a row, of which the last one passes through the first one.
+TEST(MeetingFaces, AreMeshedAgainOnceNotTenTimes) {
+  BRepBuilderAPI_MakePolygon row;
+  for (const gp_Pnt& p :
+       {gp_Pnt(0, 0, 0), gp_Pnt(4, 0, 0), gp_Pnt(4, 2, 0), gp_Pnt(2, 2, 0), gp_Pnt(2, -2, 0)})
+    row.Add(p);
+  int runs = 0;
+  MeshingOptions options = testing::ofSize(0.5);
+  options.observer = [&](int) {
+    ++runs;
+    return nullptr;
+  };
+  const ModelMesh mesh = testing::mesh(
+      testing::modelOf(BRepPrimAPI_MakePrism(row.Wire(), gp_Vec(0, 0, 2)).Shape()), options);
+  EXPECT_EQ(std::ranges::count(mesh.faces, FaceStatus::Failed, &FaceReport::status), 1);
+  EXPECT_LE(runs, 12);
+}
+
 TEST(MeetingFaces, AreToldOfANarrowAngleAtACommonEdge) {
   BRepBuilderAPI_MakePolygon outline;
   for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(10, 6, 0), gp_Pnt(0, 6, 0),

@@ -41,12 +41,6 @@ TopoDS_Face fold() {
   return extrusion(testing::polyline({{0, 0, 0}, {2, 0, 0}, {1.5, 0.05, 0}, {4, 0.1, 0}}));
 }
 
-TEST(SurfaceFault, OfAFaceWithoutSurfaceIsNone) {
-  TopoDS_Face face;
-  BRep_Builder().MakeFace(face);
-  EXPECT_FALSE(surfaceFault(testing::modelOf(face).shape(), 1, 0.5));
-}
-
 TEST(SurfaceFault, IsACrossingWhereASurfaceCrossesItself) {
   const auto fault = surfaceFault(loop(), 0.5);
   ASSERT_TRUE(fault);
@@ -65,12 +59,15 @@ TEST(SurfaceFault, IsAFoldWhereASurfaceTurnsBackAndForth) {
   EXPECT_NE(textOf(*fault).find("and back again at ("), std::string::npos);
 }
 
-/// A pipe of radius 0.7 that is bent around an axis 0.625 away from its middle.
-TEST(SurfaceFault, IsAPinchWhereAProfileCrossesItsAxis) {
+/// Of radius 0.7, bent around an axis 0.625 away from its middle.
+TopoDS_Face bentPipe() {
   const gp_Circ profile(gp_Ax2({0.625, 0, 0}, gp::DY()), 0.7);
-  const TopoDS_Face pipe = BRepBuilderAPI_MakeFace(
-      new Geom_SurfaceOfRevolution(new Geom_Circle(profile), gp::OZ()), 0, 1.5, 0, 6.28, 1e-6);
-  const auto fault = surfaceFault(pipe, 0.2);
+  return BRepBuilderAPI_MakeFace(new Geom_SurfaceOfRevolution(new Geom_Circle(profile), gp::OZ()),
+                                 0, 1.5, 0, 6.28, 1e-6);
+}
+
+TEST(SurfaceFault, IsAPinchWhereAProfileCrossesItsAxis) {
+  const auto fault = surfaceFault(bentPipe(), 0.2);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->kind, SurfaceFault::Kind::Pinch);
   EXPECT_NEAR(std::hypot(fault->place.x, fault->place.y), 0, 1e-4);
@@ -107,6 +104,7 @@ TEST(SurfaceFault, IsNoneWithoutASurface) {
   TopoDS_Face face;
   BRep_Builder().MakeFace(face);
   EXPECT_FALSE(surfaceFault(face, 0.5));
+  EXPECT_FALSE(surfaceFault(testing::modelOf(face).shape(), 1, 0.5));
 }
 
 TEST(SurfaceFault, IsNoneOutsideTheFace) {
@@ -141,6 +139,24 @@ TEST(SurfaceFault, IsToldOfFacesThatFailed) {
   EXPECT_TRUE(mesh.faces[0].reason.starts_with("stuck; in the model itself its surface crosses"))
       << mesh.faces[0].reason;
   EXPECT_TRUE(mesh.notes.empty());
+}
+
+/// How often a face is meshed that fails, at a size of 0.2.
+int runsOf(const TopoDS_Face& face) {
+  int runs = 0;
+  MeshingOptions options = testing::ofSize(0.2);
+  options.observer = [&](int) {
+    ++runs;
+    return nullptr;
+  };
+  const ModelMesh mesh = testing::mesh(testing::modelOf(face), options);
+  EXPECT_EQ(mesh.faces[0].status, FaceStatus::Failed);
+  return runs;
+}
+
+TEST(SurfaceFault, IsNotMetWithShorterEdges) {
+  EXPECT_LE(runsOf(bentPipe()), 4);
+  EXPECT_LE(runsOf(loop()), 4);
 }
 
 TEST(SurfaceFault, IsToldOfCompleteFacesWithNeedlesThatWereHardToMesh) {
