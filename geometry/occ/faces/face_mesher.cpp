@@ -27,6 +27,7 @@
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/faces/face_loops.h"
 #include "geometry/occ/faces/most_area.h"
+#include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/sizes/graded_size.h"
@@ -79,6 +80,8 @@ constexpr const char* kVanished =
 constexpr const char* kWithoutWidth =
     "has no width, so it has no elements: its boundary runs back on itself";
 
+constexpr const char* kIsLine = "is a line, without area, so it has no elements";
+
 class FaceMesher {
  public:
   FaceMesher(const FaceMeshingContext& context, int face, double area, double expectedElements)
@@ -104,12 +107,22 @@ class FaceMesher {
       mesh.report.reason = textOfLying(*lying);
       return;
     }
+    if (hasNoArea()) {
+      mesh.report.reason = kIsLine;
+      return;
+    }
     if (meshInCells(mesh)) return;
     fill(findBoundary(context_.model, face_, context_.request.divided, surface_, context_.onFaces),
          mesh);
   }
 
  private:
+  bool hasNoArea() const {
+    constexpr double kAlmostNone = 1e-6;  // of the square of the size
+    const double size = context_.sizes.size;
+    return area_ < kAlmostNone * size * size && isLine(TopoDS::Face(context_.model.face(face_)));
+  }
+
   /// Cell by cell, if the face has creases that are edges all through it.
   bool meshInCells(FaceMesh& mesh) const {
     std::vector<BoundedCell> cells =

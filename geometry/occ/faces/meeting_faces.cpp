@@ -12,8 +12,10 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
@@ -126,21 +128,26 @@ std::string narrowAngleOf(const ModelShape& model, int face) {
   return "";
 }
 
-/// The places at which the elements of a face cross those of each other face.
-std::map<int, std::vector<Point3>> placesByFace(const std::vector<Crossing>& crossings, int face) {
+using PlacesAtFace = std::pair<int, std::vector<Point3>>;
+
+/// The places at which the elements of a face cross those of each other face, most first.
+std::vector<PlacesAtFace> placesByFace(const std::vector<Crossing>& crossings, int face) {
   std::map<int, std::vector<Point3>> places;
   for (const Crossing& crossing : crossings) {
     if (crossing.faces[0] == crossing.faces[1]) continue;
     if (crossing.faces[0] == face) places[crossing.faces[1]].push_back(crossing.place);
     if (crossing.faces[1] == face) places[crossing.faces[0]].push_back(crossing.place);
   }
-  return places;
+  std::vector<PlacesAtFace> sorted(places.begin(), places.end());
+  std::ranges::stable_sort(sorted, std::greater<>(),
+                           [](const PlacesAtFace& at) { return at.second.size(); });
+  return sorted;
 }
 
 /// Words for a common point of a face and another one; empty if there is none.
 std::string commonPointOf(const ModelShape& model, int face, const std::vector<Crossing>& crossings,
                           double away) {
-  constexpr std::size_t kMaxFaces = 6, kPlaces = 4;
+  constexpr std::size_t kMaxFaces = 20, kPlaces = 4;
   std::size_t faces = 0;
   for (const auto& [other, places] : placesByFace(crossings, face)) {
     if (++faces > kMaxFaces) break;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -41,12 +40,32 @@ class FaultSearch {
 
   std::optional<SurfaceFault> find() {
     if (!(box_.u1 < box_.u2 && box_.v1 < box_.v2)) return std::nullopt;
+    if (const auto line = withoutArea()) return line;
     for (const bool isInU : {true, false})
       for (const double share : {0.5, 0.25, 0.75, 0.06, 0.94})
         if (const auto fold = foldOn(isInU, share)) return fold;
     for (const bool isInU : {true, false})
       if (const auto pinch = pinchAcross(isInU)) return pinch;
     return crossing();
+  }
+
+  /// Both parameters run along the same line everywhere.
+  std::optional<SurfaceFault> withoutArea() const {
+    constexpr int kPlaces = 5;
+    constexpr double kSame = 1e-9;  // sine
+    const auto at = [](double low, double high, int i) {
+      return low + (high - low) * (i + 0.5) / kPlaces;
+    };
+    for (int i = 0; i < kPlaces; ++i)
+      for (int k = 0; k < kPlaces; ++k) {
+        const SurfaceFrame frame =
+            surface_->frameAt(at(box_.u1, box_.u2, i), at(box_.v1, box_.v2, k));
+        if (length(cross(frame.du, frame.dv)) > kSame * length(frame.du) * length(frame.dv))
+          return std::nullopt;
+      }
+    const Point3 middle =
+        surface_->frameAt((box_.u1 + box_.u2) / 2, (box_.v1 + box_.v2) / 2).position;
+    return SurfaceFault{SurfaceFault::Kind::NoArea, middle, {}};
   }
 
  private:
@@ -277,45 +296,6 @@ class FaultSearch {
   std::vector<Uv> parameters_;                 // by vertex of the coarse mesh
 };
 
-double leastAngleOf(const ModelMesh& mesh, const Element& element) {
-  const auto corners = element.vertices();
-  const std::size_t count = corners.size();
-  const auto at = [&](std::size_t i) { return mesh.vertices[corners[i % count].value]; };
-  double least = std::numbers::pi;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point3 out = at(i + 1) - at(i), in = at(i + count - 1) - at(i);
-    least = std::min(least, angleBetween(out, in));
-  }
-  return least;
-}
-
-/// Which faces have elements with an angle below half a degree, by id.
-std::vector<bool> facesWithNeedles(const ModelMesh& mesh, std::size_t count) {
-  constexpr double kNeedle = 0.5 * std::numbers::pi / 180;
-  std::vector<bool> isAsked(count + 1, false), has(count + 1, false);
-  for (const FaceReport& face : mesh.faces)
-    isAsked[static_cast<std::size_t>(face.id)] = !face.attempts.empty();
-  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-    const auto face = static_cast<std::size_t>(mesh.face[i]);
-    if (isAsked[face] && !has[face] && leastAngleOf(mesh, mesh.elements[i]) < kNeedle)
-      has[face] = true;
-  }
-  return has;
-}
-
-/// Words for a tip so sharp that the elements around it are needles; empty if there is none.
-std::string needleTipOf(const FaceSurface& surface) {
-  constexpr double kNeedle = 2.3 * std::numbers::pi / 180;  // four elements of half a degree
-  for (const SharpTip& tip : surface.sharpTips()) {
-    if (tip.angle >= kNeedle) continue;
-    const double sine = tip.angle / (2 * std::numbers::pi);
-    const double opening = 2 * angleOf({std::sqrt(1 - sine * sine), sine});
-    return "it ends in a tip of " + af2::textOf(opening * 180 / std::numbers::pi, 2) +
-           " degrees at " + af2::textOf(tip.position);
-  }
-  return "";
-}
-
 }  // namespace
 
 std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
@@ -327,10 +307,23 @@ std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size) {
   }
 }
 
+bool isLine(const TopoDS_Face& face) {
+  if (BRep_Tool::Surface(face).IsNull()) return false;
+  try {
+    return FaultSearch(face, 0).withoutArea().has_value();
+  } catch (const Standard_Failure&) {
+    return false;
+  }
+}
+
 std::optional<SurfaceFault> surfaceFault(const ModelShape& model, int face, double size) {
   constexpr double kShareOfModel = 0.05;  // with larger sizes, bends that can be seen are no folds
-  if (BRep_Tool::Surface(model.face(face)).IsNull() || model.surface(face).isPlane())
+  try {
+    if (BRep_Tool::Surface(model.face(face)).IsNull() || model.surface(face).isPlane())
+      return std::nullopt;
+  } catch (const Standard_Failure&) {  // reported when the face is meshed
     return std::nullopt;
+  }
   return surfaceFault(model.face(face), std::min(size, kShareOfModel * model.diagonal));
 }
 
@@ -342,32 +335,11 @@ std::string textOf(const SurfaceFault& fault) {
     return "in the model itself its surface shrinks to a point at " + textOf(fault.place) +
            " and goes on beyond it, as where a profile that is turned crosses its axis: make the " +
            "face anew without the part beyond";
+  if (fault.kind == SurfaceFault::Kind::NoArea)
+    return "in the model itself its surface is a line, without area, through " +
+           textOf(fault.place) + ": delete the face";
   return "in the model itself its surface turns back at " + textOf(fault.place) +
          ", and back again at " + textOf(fault.other) + ": make the face anew without this fold";
-}
-
-void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
-  constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
-  const std::vector<bool> hasNeedles =
-      facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
-  int examined = 0;
-  for (FaceReport& face : mesh.faces) {
-    const bool isFailed = face.status == FaceStatus::Failed &&
-                          face.reason.find("in the model itself") == std::string::npos;
-    const bool isPoor =
-        face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
-    if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
-    if (++examined > kMaxReported) break;
-    const auto fault = surfaceFault(model, face.id, size);
-    std::string cause = fault ? textOf(*fault) : "";
-    if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
-    if (cause.empty()) continue;
-    if (isFailed)
-      face.reason += "; " + cause;
-    else
-      mesh.notes.push_back("face " + std::to_string(face.id) +
-                           " has angles below half a degree: " + cause);
-  }
 }
 
 }  // namespace af2::geometry

@@ -11,10 +11,10 @@
 
 namespace af2::geometry {
 
-/// A place where a surface crosses itself or shrinks to a point and goes on beyond it, or two
-/// places near each other at which it turns back.
+/// A place where a surface crosses itself or shrinks to a point and goes on beyond it, two places
+/// near each other at which it turns back, or any place of one that is a line.
 struct SurfaceFault {
-  enum class Kind { Crossing, Fold, Pinch };
+  enum class Kind { Crossing, Fold, Pinch, NoArea };
   Kind kind = Kind::Crossing;
   Point3 place;
   Point3 other;  ///< of a fold: where the surface turns back again
@@ -31,14 +31,10 @@ std::optional<SurfaceFault> surfaceFault(const TopoDS_Face& face, double size);
 /// size  edge length of the mesh
 std::optional<SurfaceFault> surfaceFault(const ModelShape& model, int face, double size);
 
+/// Whether the surface of a face is a line, so that there is nothing to be meshed.
+bool isLine(const TopoDS_Face& face);
+
 /// "in the model itself, ..."
 std::string textOf(const SurfaceFault& fault);
-
-/// Says of faces that failed, and of those with needles that took more than one attempt, what is
-/// wrong with their surface, if that is known: in their reasons, and in the notes of the mesh. A
-/// sharp tip, around which all elements are needles, is named, too.
-///
-/// size  edge length of the mesh
-void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh);
 
 }  // namespace af2::geometry

@@ -21,6 +21,7 @@
 #include "geometry/occ/faces/face_loops.h"
 #include "geometry/occ/faces/face_mesher.h"
 #include "geometry/occ/faces/faces_on_faces.h"
+#include "geometry/occ/faces/fault_reasons.h"
 #include "geometry/occ/faces/meeting_faces.h"
 #include "geometry/occ/faces/solid_volume.h"
 #include "geometry/occ/faces/surface_faults.h"
@@ -177,6 +178,7 @@ void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.imprinting = model_.imprinting();
   tellOfMeetingFaces(*shape_, faults.crossings, sizes_.size, mesh.faces);
   tellOfSurfaceFaults(*shape_, sizes_.size, mesh);
+  tellOfTurnedEdges(*shape_, mesh.faces);
   const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
   if (areAll && !model_.lostFaces().empty())
     mesh.findings.push_back(textOfLost(model_.lostFaces()));

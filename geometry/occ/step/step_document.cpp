@@ -10,6 +10,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 
+#include "geometry/occ/step/endless_profiles.h"
 #include "geometry/occ/step/step_attributes.h"
 
 namespace af2::geometry {
@@ -104,6 +105,7 @@ class StepDocument::PartFinder {
 };
 
 bool StepDocument::transfer(STEPControl_Reader& reader, const std::filesystem::path& path) {
+  trimEndlessProfiles(reader.WS());
   reader.ClearShapes();
   const int roots = reader.NbRootsForTransfer();
   for (int i = 1; i <= roots; ++i) reader.TransferOneRoot(i);

@@ -4,6 +4,7 @@
 
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
+#include <Interface_HGraph.hxx>
 #include <StepData_StepModel.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TransferBRep.hxx>

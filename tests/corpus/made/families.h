@@ -26,6 +26,12 @@ std::vector<Family> surfaceFamilies();
 /// Faces that turn sharply inside, along lines that are no edges.
 std::vector<Family> creasedFamilies();
 
+/// What workshops and foundries make.
+std::vector<Family> productFamilies();
+
+/// Surfaces between curves, uneven splines, many holes, long and ragged boundaries.
+std::vector<Family> ornateFamilies();
+
 /// Details below the size, needles, slits, large tolerances, edges beside their plane.
 std::vector<Family> awkwardFamilies();
 

@@ -122,8 +122,8 @@ int makeSome(const Family& family, int first, int count, const std::string& fold
 
 std::vector<Family> allFamilies() {
   std::vector<Family> families = partFamilies();
-  for (const auto& more :
-       {sweptFamilies(), surfaceFamilies(), creasedFamilies(), awkwardFamilies()})
+  for (const auto& more : {sweptFamilies(), surfaceFamilies(), creasedFamilies(), productFamilies(),
+                           ornateFamilies(), awkwardFamilies()})
     families.insert(families.end(), more.begin(), more.end());
   return families;
 }

@@ -10,10 +10,8 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRep_Builder.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Pln.hxx>
 #include <numbers>
@@ -30,14 +28,6 @@ TopoDS_Shape block(Draw& draw) {
   const double x = draw.between(5, 12);
   const double y = draw.between(4, 9);
   return BRepPrimAPI_MakeBox(gp_Pnt(-x / 2, -y / 2, -2), x, y, draw.between(2, 7)).Shape();
-}
-
-TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
-  TopoDS_Compound whole;
-  BRep_Builder builder;
-  builder.MakeCompound(whole);
-  for (const TopoDS_Shape& part : parts) builder.Add(whole, part);
-  return whole;
 }
 
 bool isValid(const TopoDS_Shape& shape) { return BRepCheck_Analyzer(shape).IsValid(); }

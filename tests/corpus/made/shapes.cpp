@@ -12,6 +12,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -21,6 +22,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 
 namespace af2::made {
@@ -60,6 +62,14 @@ TopoDS_Shape fused(const TopoDS_Shape& first, const TopoDS_Shape& second) {
 
 TopoDS_Shape cut(const TopoDS_Shape& first, const TopoDS_Shape& second) {
   return BRepAlgoAPI_Cut(first, second).Shape();
+}
+
+TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
+  TopoDS_Compound whole;
+  BRep_Builder builder;
+  builder.MakeCompound(whole);
+  for (const TopoDS_Shape& part : parts) builder.Add(whole, part);
+  return whole;
 }
 
 std::vector<TopoDS_Shape> edgesOf(const TopoDS_Shape& shape) { return partsOf(shape, TopAbs_EDGE); }

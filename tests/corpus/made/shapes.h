@@ -17,6 +17,9 @@ TopoDS_Shape primitive(Draw& draw, double size);
 TopoDS_Shape fused(const TopoDS_Shape& first, const TopoDS_Shape& second);
 TopoDS_Shape cut(const TopoDS_Shape& first, const TopoDS_Shape& second);
 
+/// Parts that stay apart.
+TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts);
+
 std::vector<TopoDS_Shape> edgesOf(const TopoDS_Shape& shape);
 std::vector<TopoDS_Shape> facesOf(const TopoDS_Shape& shape);
 

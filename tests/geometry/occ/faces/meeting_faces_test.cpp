@@ -85,6 +85,24 @@ TEST(MeetingFaces, AreToldOfFacesThatFailed) {
 }
 
 /// Four walls in a row, of which the last one passes through the first one.
+/// The faces whose elements cross most are looked at first.
+TEST(MeetingFaces, AreFoundAmongManyThatOnlyComeNear) {
+  BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  builder.Add(all, square(0));
+  std::vector<Crossing> crossings;
+  for (int other = 2; other <= 30; ++other) {
+    builder.Add(all, square(0.001 * other));
+    crossings.push_back({{}, {1, other}, false, {0.5, 0.5, 0}, {}});
+  }
+  builder.Add(all, tube(-1, 1));
+  const Model model = testing::modelOf(all);
+  EXPECT_EQ(meetingOf(model.shape(), 1, crossings, 0.5), "");
+  for (int i = 0; i < 2; ++i) crossings.push_back({{}, {1, 31}, false, {1, 0.1, 0}, {}});
+  EXPECT_NE(meetingOf(model.shape(), 1, crossings, 0.5).find("meets face 31"), std::string::npos);
+}
+
 TEST(MeetingFaces, AreMeshedAgainOnceNotTenTimes) {
   BRepBuilderAPI_MakePolygon row;
   for (const gp_Pnt& p :

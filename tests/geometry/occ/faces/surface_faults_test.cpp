@@ -5,14 +5,19 @@
 #include <BRep_Builder.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
 #include <gp_Circ.hxx>
 
 #include <cmath>
 
+#include "geometry/io/report.h"
+#include "geometry/occ/faces/fault_reasons.h"
 #include "tests/geometry/occ/curves.h"
 #include "tests/geometry/occ/meshing.h"
 
@@ -90,6 +95,37 @@ TEST(SurfaceFault, IsAPinchAlsoCloseToTheEndOfAProfile) {
   EXPECT_GT(fault->place.z, 1.99);
 }
 
+/// A line extruded along itself.
+TopoDS_Face withoutArea() {
+  return BRepBuilderAPI_MakeFace(
+      new Geom_SurfaceOfLinearExtrusion(new Geom_Line(gp::OZ()), gp::DZ()), 0, 2, 0, 1, 1e-6);
+}
+
+TEST(SurfaceFault, IsALineWithoutArea) {
+  const auto fault = surfaceFault(withoutArea(), 0.2);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->kind, SurfaceFault::Kind::NoArea);
+  EXPECT_NEAR(fault->place.z, 1.5, 1e-9);
+  EXPECT_EQ(textOf(*fault),
+            "in the model itself its surface is a line, without area, through (0, 0, 1.5): delete "
+            "the face");
+  EXPECT_TRUE(isLine(withoutArea()));
+  EXPECT_FALSE(isLine(loop()));
+}
+
+TEST(SurfaceFault, ThatIsALineHasNoElements) {
+  TopoDS_Shell shell;
+  BRep_Builder builder;
+  builder.MakeShell(shell);
+  builder.Add(shell, testing::plane({testing::rectangle(1, 1, 2, 2)}));
+  builder.Add(shell, withoutArea());
+  const ModelMesh mesh = testing::mesh(shell, 0.2);
+  EXPECT_EQ(statusOf(mesh), RunStatus::Complete);
+  EXPECT_GT(mesh.faces.at(0).elements, 0u);
+  EXPECT_EQ(mesh.faces.at(1).elements, 0u);
+  EXPECT_EQ(mesh.faces.at(1).reason, "is a line, without area, so it has no elements");
+}
+
 TEST(SurfaceFault, IsNoneOnSoundSurfaces) {
   EXPECT_FALSE(surfaceFault(
       extrusion(testing::splineThrough({{-3, 0, 0}, {-1, 1, 0}, {1, -1, 0}, {3, 0, 0}})),
@@ -105,6 +141,16 @@ TEST(SurfaceFault, IsNoneWithoutASurface) {
   BRep_Builder().MakeFace(face);
   EXPECT_FALSE(surfaceFault(face, 0.5));
   EXPECT_FALSE(surfaceFault(testing::modelOf(face).shape(), 1, 0.5));
+}
+
+/// A hyperbola far from its vertex has coordinates larger than any number.
+TEST(SurfaceFault, IsNoneWhereASurfaceCannotBeEvaluated) {
+  const gp_Hypr profile(gp_Ax2(gp_Pnt(), gp::DY(), gp::DX()), 1, 1);
+  TopoDS_Face face;
+  BRep_Builder().MakeFace(face, new Geom_SurfaceOfRevolution(new Geom_Hyperbola(profile), gp::OX()),
+                          1e-6);
+  EXPECT_FALSE(surfaceFault(testing::modelOf(face).shape(), 1, 0.5));
+  EXPECT_EQ(testing::mesh(face, 0.5).faces.at(0).status, FaceStatus::Failed);
 }
 
 TEST(SurfaceFault, IsNoneOutsideTheFace) {

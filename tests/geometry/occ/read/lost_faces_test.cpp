@@ -6,7 +6,6 @@
 #include <IGESControl_Writer.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <STEPControl_Writer.hxx>
 #include <algorithm>
 #include <filesystem>
 
@@ -14,6 +13,7 @@
 #include "geometry/io/report.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
+#include "tests/geometry/occ/in_step.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/test_folder.h"
 
@@ -106,13 +106,8 @@ TEST(LostFaces, OfAStepFileTellWhatIsWrongWithThem) {
 
 /// A cylinder of rational splines, which are complex entities.
 std::string rationalInStep() {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  STEPControl_Writer writer;
-  writer.Transfer(BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(2, 5).Shape()).Shape(),
-                  STEPControl_AsIs);
-  const testing::TestFile file("rational.step");
-  writer.Write(file.path().c_str());
-  return contentOf(file.path());
+  return testing::inStep(
+      BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeCylinder(2, 5).Shape()).Shape());
 }
 
 /// OpenCASCADE does not read an entity that leaves its name out.

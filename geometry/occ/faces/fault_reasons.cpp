@@ -1,0 +1,133 @@
+#include "geometry/occ/faces/fault_reasons.h"
+
+#include <BRep_Tool.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "engine/base/elementary.h"
+#include "engine/base/place_text.h"
+#include "geometry/occ/base/points.h"
+#include "geometry/occ/faces/surface_faults.h"
+#include "geometry/occ/surfaces/face_surface.h"
+
+namespace af2::geometry {
+
+namespace {
+
+double leastAngleOf(const ModelMesh& mesh, const Element& element) {
+  const auto corners = element.vertices();
+  const std::size_t count = corners.size();
+  const auto at = [&](std::size_t i) { return mesh.vertices[corners[i % count].value]; };
+  double least = std::numbers::pi;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3 out = at(i + 1) - at(i), in = at(i + count - 1) - at(i);
+    least = std::min(least, angleBetween(out, in));
+  }
+  return least;
+}
+
+/// Which faces have elements with an angle below half a degree, by id.
+std::vector<bool> facesWithNeedles(const ModelMesh& mesh, std::size_t count) {
+  constexpr double kNeedle = 0.5 * std::numbers::pi / 180;
+  std::vector<bool> isAsked(count + 1, false), has(count + 1, false);
+  for (const FaceReport& face : mesh.faces)
+    isAsked[static_cast<std::size_t>(face.id)] = !face.attempts.empty();
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    const auto face = static_cast<std::size_t>(mesh.face[i]);
+    if (isAsked[face] && !has[face] && leastAngleOf(mesh, mesh.elements[i]) < kNeedle)
+      has[face] = true;
+  }
+  return has;
+}
+
+/// Words for a tip so sharp that the elements around it are needles; empty if there is none.
+std::string needleTipOf(const FaceSurface& surface) {
+  constexpr double kNeedle = 2.3 * std::numbers::pi / 180;  // four elements of half a degree
+  for (const SharpTip& tip : surface.sharpTips()) {
+    if (tip.angle >= kNeedle) continue;
+    const double sine = tip.angle / (2 * std::numbers::pi);
+    const double opening = 2 * angleOf({std::sqrt(1 - sine * sine), sine});
+    return "it ends in a tip of " + af2::textOf(opening * 180 / std::numbers::pi, 2) +
+           " degrees at " + af2::textOf(tip.position);
+  }
+  return "";
+}
+
+bool hasKnownCause(const FaceReport& face) {
+  return face.reason.find("in the model itself") != std::string::npos;
+}
+
+/// How a face runs along an edge.
+struct EdgeSide {
+  int face = 0;
+  bool isForward = true;
+};
+
+std::map<int, std::vector<EdgeSide>> sidesOfEdges(const ModelShape& model) {
+  std::map<int, std::vector<EdgeSide>> sides;
+  for (int face = 1; face <= model.faces.Extent(); ++face) {
+    const TopAbs_Orientation own = model.face(face).Orientation();
+    for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1])
+      if (!BRep_Tool::Degenerated(use.edge))
+        sides[use.id].push_back({face, use.edge.Orientation() == own});
+  }
+  return sides;
+}
+
+std::string turnedEdgeOf(const ModelShape& model, int face,
+                         const std::map<int, std::vector<EdgeSide>>& sides) {
+  for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
+    const auto found = sides.find(use.id);
+    if (found == sides.end() || found->second.size() != 2) continue;
+    const EdgeSide &one = found->second[0], &other = found->second[1];
+    if (one.face == other.face || one.isForward != other.isForward) continue;
+    return "in the model itself it runs along edge " + std::to_string(use.id) +
+           " in the same direction as face " +
+           std::to_string(one.face == face ? other.face : one.face) +
+           ": one of them is turned inside out, or has a loop that is; export the model again";
+  }
+  return "";
+}
+
+}  // namespace
+
+void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
+  constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
+  const std::vector<bool> hasNeedles =
+      facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
+  int examined = 0;
+  for (FaceReport& face : mesh.faces) {
+    const bool isFailed = face.status == FaceStatus::Failed && !hasKnownCause(face);
+    const bool isPoor =
+        face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
+    if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
+    if (++examined > kMaxReported) break;
+    const auto fault = surfaceFault(model, face.id, size);
+    std::string cause = fault ? textOf(*fault) : "";
+    if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
+    if (cause.empty()) continue;
+    if (isFailed)
+      face.reason += "; " + cause;
+    else
+      mesh.notes.push_back("face " + std::to_string(face.id) +
+                           " has angles below half a degree: " + cause);
+  }
+}
+
+void tellOfTurnedEdges(const ModelShape& model, std::vector<FaceReport>& faces) {
+  const auto isUnexplained = [](const FaceReport& face) {
+    return face.status == FaceStatus::Failed && !hasKnownCause(face);
+  };
+  if (std::ranges::none_of(faces, isUnexplained)) return;
+  const std::map<int, std::vector<EdgeSide>> sides = sidesOfEdges(model);
+  for (FaceReport& face : faces) {
+    if (!isUnexplained(face)) continue;
+    if (const std::string turned = turnedEdgeOf(model, face.id, sides); !turned.empty())
+      face.reason += "; " + turned;
+  }
+}
+
+}  // namespace af2::geometry
