@@ -5,19 +5,35 @@
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
 namespace af2::geometry {
 namespace {
 
-bool endsByItself(const TopoDS_Face& face) {
+/// The area of all of a surface, infinite for those that do not end by themselves.
+double areaOfAll(const TopoDS_Face& face) {
+  constexpr int kSamples = 16;
   Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
     surface = trimmed->BasisSurface();
-  double bounds[4];
-  surface->Bounds(bounds[0], bounds[1], bounds[2], bounds[3]);
-  return std::ranges::none_of(bounds, [](double b) { return Precision::IsInfinite(b); });
+  double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
+  surface->Bounds(u1, u2, v1, v2);
+  for (const double bound : {u1, u2, v1, v2})
+    if (Precision::IsInfinite(bound)) return std::numeric_limits<double>::infinity();
+  const auto at = [](double low, double high, int i) {
+    return low + (high - low) * (i + 0.5) / kSamples;
+  };
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      gp_Pnt place;
+      gp_Vec du, dv;
+      surface->D1(at(u1, u2, i), at(v1, v2, j), place, du, dv);
+      sum += du.Crossed(dv).Magnitude();
+    }
+  return sum / (kSamples * kSamples) * (u2 - u1) * (v2 - v1);
 }
 
 double farthest(const FrontInput& boundary) {
@@ -61,10 +77,12 @@ double areaAround(const FaceSurface& surface, const FrontInput& boundary) {
 }  // namespace
 
 double mostArea(const TopoDS_Face& face, const FaceSurface& surface, const FrontInput& boundary) {
-  const bool isEndless = !endsByItself(face);
+  const double all = areaOfAll(face);
+  const bool isEndless = std::isinf(all);
   const double extent = std::max(farthest(boundary), isEndless ? 0.0 : surface.extent());
   const double sphere = std::numbers::pi * extent * extent;
-  return isEndless && !surface.isPlane() ? std::min(sphere, areaAround(surface, boundary)) : sphere;
+  if (!isEndless) return std::min(sphere, all);
+  return surface.isPlane() ? sphere : std::min(sphere, areaAround(surface, boundary));
 }
 
 }  // namespace af2::geometry

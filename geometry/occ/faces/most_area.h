@@ -9,9 +9,10 @@
 
 namespace af2::geometry {
 
-/// The area of a sphere as large as the surface or the boundary. On unbounded surfaces, such as
-/// cylinders, a face is within its boundary even if the boundary curves are faulty: there the bound
-/// is at most the area of the part of the surface that contains the boundary.
+/// The area of a sphere as large as the surface or the boundary, and at most that of the surface.
+/// On unbounded surfaces, such as cylinders, a face is within its boundary even if the boundary
+/// curves are faulty: there the bound is at most the area of the part of the surface that contains
+/// the boundary.
 double mostArea(const TopoDS_Face& face, const FaceSurface& surface, const FrontInput& boundary);
 
 }  // namespace af2::geometry

@@ -57,6 +57,13 @@ bool isCreased(double size, const FaceSurface& surface) {
          std::min(kShareOfSize * size, kShareOfBreadth * surface.breadth());
 }
 
+/// Whether a face is a strip that is far narrower than any element, and has waves across, as
+/// fillets get where they barely meet. It is no tube either, and what the waves do cannot be seen.
+bool isRippledStrip(double size, const FaceSurface& surface) {
+  constexpr double kShareOfSize = 0.05;
+  return surface.isWavy() && surface.breadth() < kShareOfSize * size;
+}
+
 }  // namespace
 
 namespace {
@@ -78,7 +85,7 @@ CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const Face
   const double gentle =
       std::min({size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size),
                 byChord(sizes, face, radii.smallest)});
-  if (sizes.roughFaces.contains(face) || isCreased(size, surface))
+  if (sizes.roughFaces.contains(face) || isCreased(size, surface) || isRippledStrip(size, surface))
     return {gentle, share, sizes.minSize};
   const double least = leastOnTube(sizes, size, surface, radii.bent);
   return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share,

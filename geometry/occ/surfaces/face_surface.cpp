@@ -212,6 +212,7 @@ void FaceSurface::measure() {
   breadth_ = bend.breadth;
   girth_ = bend.girth;
   creaseRadius_ = bend.creaseRadius;
+  isWavy_ = bend.isWavy;
 }
 
 SurfaceBend FaceSurface::bendBetweenCreases() const {

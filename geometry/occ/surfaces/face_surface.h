@@ -91,6 +91,8 @@ class FaceSurface final : public ChartedSurface {
   /// The least radius at which the face turns along a whole crease across such lines. Infinite if
   /// there are none.
   double creaseRadius() const { return creaseRadius_; }
+  /// Whether the face turns back and forth along such a line.
+  bool isWavy() const { return isWavy_; }
   /// The part of OpenCASCADE's parameters that the face occupies; arbitrary for a plane.
   const SplineSurface::Box& box() const { return box_; }
 
@@ -129,6 +131,7 @@ class FaceSurface final : public ChartedSurface {
   double breadth_ = std::numeric_limits<double>::infinity();
   double girth_ = std::numeric_limits<double>::infinity();
   double creaseRadius_ = std::numeric_limits<double>::infinity();
+  bool isWavy_ = false;
   enum class Sweep { None, Torus, Revolution } sweep_ = Sweep::None;
   AxisFrame sweepAxis_;                 ///< of a surface of revolution without x and y
   std::optional<Extrusion> extrusion_;  ///< also for splines that are extrusions

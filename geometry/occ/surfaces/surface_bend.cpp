@@ -37,6 +37,19 @@ bool isBent(const std::vector<SurfacePoint>& line) {
   return turn > kBent;
 }
 
+/// Whether most turns of the normals along a line undo others.
+bool turnsBack(const std::vector<SurfacePoint>& line) {
+  constexpr double kLeft = 0.5;  // of all turns
+  Point3 sum{};
+  double all = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point3 turn = cross(line[i - 1].normal, line[i].normal);
+    sum = sum + turn;
+    all += length(turn);
+  }
+  return length(sum) < kLeft * all;
+}
+
 double lengthOf(const std::vector<SurfacePoint>& line) {
   double sum = 0;
   for (std::size_t i = 1; i < line.size(); ++i)
@@ -95,6 +108,7 @@ void SurfaceBend::add(const SurfaceBend& part) {
   breadth = std::min(breadth, part.breadth);
   girth = std::min(girth, part.girth);
   creaseRadius = std::min(creaseRadius, part.creaseRadius);
+  isWavy = isWavy || part.isWavy;
 }
 
 SurfaceBend bendOf(const GeneralSurface& surface, const SplineSurface::Box& box) {
@@ -107,6 +121,7 @@ SurfaceBend bendOf(const GeneralSurface& surface, const SplineSurface::Box& box)
     if (!isBent(line)) return;
     bend.breadth = std::min(bend.breadth, lengthOf(line));
     longest = std::max(longest, lengthOf(line));
+    bend.isWavy = bend.isWavy || turnsBack(line);
     turns.push_back(sharpestTurnOn(line, surface));
   };
   for (const double share : {0.02, 0.5, 0.98}) {

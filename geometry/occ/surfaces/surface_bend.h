@@ -19,6 +19,8 @@ struct SurfaceBend {
   double girth = std::numeric_limits<double>::infinity();
   /// The least radius of a crease across such lines; infinite if there are none.
   double creaseRadius = std::numeric_limits<double>::infinity();
+  /// Whether such a line turns back and forth, so that the face is no tube.
+  bool isWavy = false;
 
   /// Combines this with another part of the face.
   void add(const SurfaceBend& part);

@@ -4,11 +4,13 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 
@@ -90,6 +92,48 @@ TEST(RoughFaces, AreNoneAlongOneRim) {
     testing::expectComplete(mesh);
     EXPECT_GT(testing::leastAngle(mesh), 25);
   }
+}
+
+/// A strip along y, bent across by a right angle one way and the other, or by two the same way.
+Model strip(bool turnsBack, double width) {
+  constexpr int kSteps = 48;
+  constexpr double kTurn = M_PI / kSteps;
+  std::vector<gp_Pnt> points{{0, 0, 0}};
+  double heading = -M_PI / 4;
+  for (int i = 0; i < kSteps; ++i) {
+    heading += turnsBack && i >= kSteps / 2 ? -kTurn : kTurn;
+    points.push_back(points.back().Translated(gp_Vec(std::cos(heading), 0, std::sin(heading)) *
+                                              (width / kSteps)));
+  }
+  const auto across = testing::splineThrough(points);
+  return testing::modelOf(
+      BRepBuilderAPI_MakeFace(new Geom_SurfaceOfLinearExtrusion(across, gp::DY()),
+                              across->FirstParameter(), across->LastParameter(), 0, 3, 1e-6));
+}
+
+double sizeOn(const Model& model) {
+  CadSizes sizes;
+  sizes.size = kSize;
+  const FaceSurface surface = model.shape().surface(1);
+  const SplineSurface::Box& box = surface.box();
+  double smallest = kSize;
+  for (int i = 1; i < 40; ++i) {
+    const SurfacePoint at{{}, {}, box.u1 + i / 40.0 * (box.u2 - box.u1), 1};
+    smallest = std::min(smallest, curvedSizeAt(sizes, 1, kSize, surface, at).limit);
+  }
+  return smallest;
+}
+
+TEST(RippledStrips, AreNoTubes) {
+  EXPECT_GE(sizeOn(strip(true, 0.05)), TurnLimits().faceLeast * kSize);
+  EXPECT_LT(sizeOn(strip(false, 0.05)), 0.1 * kSize);
+  EXPECT_LT(sizeOn(strip(true, 0.2)), 0.1 * kSize);  // that wide, the ripple can be seen
+}
+
+TEST(RippledStrips, NeedFewElements) {
+  const ModelMesh mesh = testing::mesh(strip(true, 0.05), kSize);
+  EXPECT_EQ(mesh.faces.at(0).status, FaceStatus::Complete) << mesh.faces[0].reason;
+  EXPECT_LT(mesh.elements.size(), 200u);
 }
 
 }  // namespace
