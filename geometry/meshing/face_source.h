@@ -94,8 +94,8 @@ class FaceSource {
   /// The sizes wanted inside a face where they are below its general size, if they may be too
   /// uneven for a front.
   virtual std::vector<SizeSource> sizesInside(int) const { return {}; }
-  /// Whether the surface of a face has a fault in the model itself that no edges can mend.
-  virtual bool hasFaultySurface(int) const { return false; }
+  /// Whether a face has a fault in the model itself that no division of its edges can mend.
+  virtual bool hasFaultInModel(int) const { return false; }
   /// Whether a face meets others in the model itself, where its elements cross theirs.
   virtual bool meetsOthers(int, const std::vector<Crossing>&) const { return false; }
   /// Whether elements may cross even though each face is filled correctly.

@@ -156,9 +156,7 @@ class FaceRun final : public RetriedModel {
     return source_.sizesInside(faces_[i]);
   }
 
-  bool hasFaultySurface(std::size_t i) const override {
-    return source_.hasFaultySurface(faces_[i]);
-  }
+  bool hasFaultInModel(std::size_t i) const override { return source_.hasFaultInModel(faces_[i]); }
 
   bool meetsOthers(std::size_t i, const std::vector<Crossing>& crossings) const override {
     return source_.meetsOthers(faces_[i], crossings);

@@ -212,7 +212,7 @@ class Retries {
     if (crosses == 0 || crosses < kProgress * crossed) return true;
     if (++retrial_.faces[i].failures >= kMaxTriesAtCrossings) return false;
     const RetriedModel& model = retrial_.model;  // no edges mend what crosses there
-    return !model.hasFaultySurface(i) && !model.meetsOthers(i, next.faults.crossings);
+    return !model.hasFaultInModel(i) && !model.meetsOthers(i, next.faults.crossings);
   }
 
   void lastRound(RetryState& state) {

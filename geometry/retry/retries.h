@@ -55,8 +55,8 @@ class RetriedModel {
   /// The sizes wanted inside a face where they are below its general size, if they may be too
   /// uneven for a front.
   virtual std::vector<SizeSource> sizesInside(std::size_t i) const = 0;
-  /// Whether the surface of a face has a fault in the model itself that no edges can mend.
-  virtual bool hasFaultySurface(std::size_t) const { return false; }
+  /// Whether a face has a fault in the model itself that no division of its edges can mend.
+  virtual bool hasFaultInModel(std::size_t) const { return false; }
   /// Whether a face meets others in the model itself, where its elements cross theirs.
   virtual bool meetsOthers(std::size_t, const std::vector<Crossing>&) const { return false; }
 };

@@ -41,7 +41,7 @@ std::vector<SizeSource> sizesToFollow(const Retrial& retrial, const FaceMeshes& 
 void findFault(Retrial& retrial, const FaceMeshes& state, std::size_t face) {
   const FaceMesh& mesh = state.meshes[face];
   retrial.faces[face].hasFault =
-      failed(mesh) && mesh.diagnosis.isBad && retrial.model.hasFaultySurface(face);
+      failed(mesh) && mesh.diagnosis.isBad && retrial.model.hasFaultInModel(face);
 }
 
 bool mayShortenEdges(const Retrial& retrial, const FaceMeshes& state, std::size_t face) {

@@ -10,6 +10,7 @@
 #include "engine/base/elementary.h"
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/faces/crossed_edges.h"
 #include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
@@ -94,7 +95,13 @@ std::string turnedEdgeOf(const ModelShape& model, int face,
 
 }  // namespace
 
-void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) {
+std::string faultOf(const ModelShape& model, int face, double size) {
+  if (const auto crossed = crossedEdges(model, face)) return textOf(*crossed);
+  if (const auto fault = surfaceFault(model, face, size)) return textOf(*fault);
+  return "";
+}
+
+void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {
   constexpr int kMaxReported = 20;  // where many have faults, the first ones are enough
   const std::vector<bool> hasNeedles =
       facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
@@ -103,11 +110,10 @@ void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh) 
     const bool isFailed = face.status == FaceStatus::Failed && !hasKnownCause(face);
     const bool isPoor =
         face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
-    if (face.surfaceType == "plane" || !(isFailed || isPoor)) continue;
+    if (!(isFailed || (isPoor && face.surfaceType != "plane"))) continue;
     if (++examined > kMaxReported) break;
-    const auto fault = surfaceFault(model, face.id, size);
-    std::string cause = fault ? textOf(*fault) : "";
-    if (isPoor && !fault) cause = needleTipOf(model.surface(face.id));
+    std::string cause = faultOf(model, face.id, size);
+    if (isPoor && cause.empty()) cause = needleTipOf(model.surface(face.id));
     if (cause.empty()) continue;
     if (isFailed)
       face.reason += "; " + cause;

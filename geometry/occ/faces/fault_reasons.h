@@ -2,6 +2,7 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/mesh/model_mesh.h"
@@ -9,12 +10,16 @@
 
 namespace af2::geometry {
 
-/// Says of faces that failed, and of those with needles that took more than one attempt, what is
-/// wrong with their surface, if that is known: in their reasons, and in the notes of the mesh. A
-/// sharp tip, around which all elements are needles, is named, too.
+/// "in the model itself, ...": what is wrong with the surface of a face or, if it is plane, with
+/// its boundary, however the edges are divided. Empty if nothing is found.
 ///
 /// size  edge length of the mesh
-void tellOfSurfaceFaults(const ModelShape& model, double size, ModelMesh& mesh);
+std::string faultOf(const ModelShape& model, int face, double size);
+
+/// Says this of faces that failed, in their reasons; and of curved ones with needles that took more
+/// than one attempt, in the notes of the mesh. A sharp tip, around which all elements are needles,
+/// is named, too.
+void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh);
 
 /// Says in the reasons of faces that failed which edge each uses in the same direction as another
 /// face does: one of the two is turned inside out, or has a loop that is.

@@ -21,6 +21,7 @@
 
 #include "geometry/base/constants.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/faces/crossed_edges.h"
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/inspect/overlaps.h"
 #include "geometry/occ/model/model_shape.h"
@@ -93,6 +94,7 @@ class Finder {
     measureEdges();
     for (int face = 1; face <= shape_.faces.Extent(); ++face) {
       tryFor(face, 0, [&] { lookAtFace(face); });
+      lookAtCrossings(face);
     }
     lookAtUses();
     tryFor(0, 0,
@@ -236,6 +238,15 @@ class Finder {
         add({DefectKind::TouchingLoop, face, 0, vertex, 0, place,
              "visits this vertex " + std::to_string(count / 2) + " times"});
     }
+  }
+
+  void lookAtCrossings(int face) {
+    const auto crossed = crossedEdges(shape_, face);
+    if (!crossed) return;
+    const std::string one = "edge " + std::to_string(crossed->one) + " crosses ";
+    const bool isSame = crossed->one == crossed->other;
+    add({DefectKind::Invalid, face, crossed->one, 0, 0, crossed->place,
+         one + (isSame ? "itself" : "edge " + std::to_string(crossed->other))});
   }
 
   void lookAtUses() {

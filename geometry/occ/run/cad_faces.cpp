@@ -24,7 +24,6 @@
 #include "geometry/occ/faces/fault_reasons.h"
 #include "geometry/occ/faces/meeting_faces.h"
 #include "geometry/occ/faces/solid_volume.h"
-#include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/run/creased_shape.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
@@ -162,8 +161,8 @@ std::vector<SizeSource> CadFaces::sizesInside(int face) const {
   return geometry::sizesInside(*shape_, face, sizes_);
 }
 
-bool CadFaces::hasFaultySurface(int face) const {
-  return surfaceFault(*shape_, face, sizes_.size).has_value();
+bool CadFaces::hasFaultInModel(int face) const {
+  return !faultOf(*shape_, face, sizes_.size).empty();
 }
 
 bool CadFaces::meetsOthers(int face, const std::vector<Crossing>& crossings) const {
@@ -177,7 +176,7 @@ void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.healing = model_.healing();
   mesh.imprinting = model_.imprinting();
   tellOfMeetingFaces(*shape_, faults.crossings, sizes_.size, mesh.faces);
-  tellOfSurfaceFaults(*shape_, sizes_.size, mesh);
+  tellOfFaults(*shape_, sizes_.size, mesh);
   tellOfTurnedEdges(*shape_, mesh.faces);
   const bool areAll = faces_.size() == static_cast<std::size_t>(faceCount());
   if (areAll && !model_.lostFaces().empty())

@@ -54,7 +54,7 @@ class RetriedFaces : public geometry::RetriedModel {
   }
   void join(geometry::FaceMeshes&) const override {}
   std::vector<geometry::SizeSource> sizesInside(std::size_t) const override { return inside; }
-  bool hasFaultySurface(std::size_t) const override { return isFaulty; }
+  bool hasFaultInModel(std::size_t) const override { return isFaulty; }
 
   std::vector<geometry::CollapsedEdges> choices;
   std::vector<geometry::SizeSource> inside;

@@ -181,7 +181,7 @@ TEST(SurfaceFault, IsToldOfFacesThatFailed) {
   ModelMesh mesh = needle();
   mesh.faces[0].status = FaceStatus::Failed;
   mesh.faces[0].reason = "stuck";
-  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  tellOfFaults(model.shape(), 0.5, mesh);
   EXPECT_TRUE(mesh.faces[0].reason.starts_with("stuck; in the model itself its surface crosses"))
       << mesh.faces[0].reason;
   EXPECT_TRUE(mesh.notes.empty());
@@ -208,10 +208,10 @@ TEST(SurfaceFault, IsNotMetWithShorterEdges) {
 TEST(SurfaceFault, IsToldOfCompleteFacesWithNeedlesThatWereHardToMesh) {
   const Model model = testing::modelOf(loop());
   ModelMesh mesh = needle();
-  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  tellOfFaults(model.shape(), 0.5, mesh);
   EXPECT_TRUE(mesh.notes.empty());
   mesh.faces[0].attempts = {"shorter edges"};
-  tellOfSurfaceFaults(model.shape(), 0.5, mesh);
+  tellOfFaults(model.shape(), 0.5, mesh);
   ASSERT_EQ(mesh.notes.size(), 1u);
   EXPECT_TRUE(mesh.notes[0].starts_with(
       "face 1 has angles below half a degree: in the model itself its surface crosses itself"))
