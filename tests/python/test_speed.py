@@ -11,7 +11,7 @@ import unittest
 import af2
 from support import MODELS, Case
 
-FEWEST_TURNS, MOST_TURNS = 10, 40
+FEWEST_TURNS, MOST_TURNS = 10, 80
 
 
 class Speed(Case):

@@ -26,7 +26,10 @@ std::vector<Family> surfaceFamilies();
 /// Faces that turn sharply inside, along lines that are no edges.
 std::vector<Family> creasedFamilies();
 
-/// What workshops and foundries make.
+/// Sheet metal, heat sinks, gears, twisted bars: what comes of one profile.
+std::vector<Family> profiledFamilies();
+
+/// Castings, bottles, lattices, impellers, fittings.
 std::vector<Family> productFamilies();
 
 /// Surfaces between curves, uneven splines, many holes, long and ragged boundaries.

@@ -122,8 +122,9 @@ int makeSome(const Family& family, int first, int count, const std::string& fold
 
 std::vector<Family> allFamilies() {
   std::vector<Family> families = partFamilies();
-  for (const auto& more : {sweptFamilies(), surfaceFamilies(), creasedFamilies(), productFamilies(),
-                           ornateFamilies(), awkwardFamilies()})
+  for (const auto& more :
+       {sweptFamilies(), surfaceFamilies(), creasedFamilies(), profiledFamilies(),
+        productFamilies(), ornateFamilies(), awkwardFamilies()})
     families.insert(families.end(), more.begin(), more.end());
   return families;
 }

@@ -23,7 +23,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cmath>
 #include <gp_Circ.hxx>
+#include <numbers>
 
 namespace af2::made {
 namespace {
@@ -74,6 +76,11 @@ TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts) {
 
 std::vector<TopoDS_Shape> edgesOf(const TopoDS_Shape& shape) { return partsOf(shape, TopAbs_EDGE); }
 std::vector<TopoDS_Shape> facesOf(const TopoDS_Shape& shape) { return partsOf(shape, TopAbs_FACE); }
+
+gp_Pnt around(double radius, double turn, double z) {
+  const double angle = 2 * std::numbers::pi * turn;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
 
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& corners) {
   BRepBuilderAPI_MakePolygon made;

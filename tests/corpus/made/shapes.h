@@ -23,6 +23,9 @@ TopoDS_Shape compound(const std::vector<TopoDS_Shape>& parts);
 std::vector<TopoDS_Shape> edgesOf(const TopoDS_Shape& shape);
 std::vector<TopoDS_Shape> facesOf(const TopoDS_Shape& shape);
 
+/// A point at so many turns around the z axis.
+gp_Pnt around(double radius, double turn, double z = 0);
+
 /// A closed wire of straight edges.
 TopoDS_Wire polygon(const std::vector<gp_Pnt>& corners);
 
