@@ -145,12 +145,15 @@ std::optional<CrossedEdges> crossedEdges(const ModelShape& model, int face) {
   return std::nullopt;
 }
 
+std::string wordsFor(const CrossedEdges& edges) {
+  const bool isSame = edges.one == edges.other;
+  return "edge " + std::to_string(edges.one) + " crosses " +
+         (isSame ? "itself" : "edge " + std::to_string(edges.other));
+}
+
 std::string textOf(const CrossedEdges& edges) {
-  const std::string one = "edge " + std::to_string(edges.one);
-  return "in the model itself " +
-         (edges.one == edges.other ? one + " crosses itself"
-                                   : one + " crosses edge " + std::to_string(edges.other)) +
-         " at " + textOf(edges.place) + ": draw its boundary anew";
+  return "in the model itself " + wordsFor(edges) + " at " + textOf(edges.place) +
+         ": draw its boundary anew";
 }
 
 }  // namespace af2::geometry

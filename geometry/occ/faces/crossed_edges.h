@@ -18,6 +18,8 @@ struct CrossedEdges {
 /// method confirms it. None on faces that are not plane.
 std::optional<CrossedEdges> crossedEdges(const ModelShape& model, int face);
 
+/// "edge 3 crosses edge 5", "edge 3 crosses itself"
+std::string wordsFor(const CrossedEdges& edges);
 /// "in the model itself, ..."
 std::string textOf(const CrossedEdges& edges);
 

@@ -57,8 +57,9 @@ std::string needleTipOf(const FaceSurface& surface) {
   return "";
 }
 
-bool hasKnownCause(const FaceReport& face) {
-  return face.reason.find("in the model itself") != std::string::npos;
+bool isUnexplained(const FaceReport& face) {
+  return face.status == FaceStatus::Failed &&
+         face.reason.find("in the model itself") == std::string::npos;
 }
 
 /// How a face runs along an edge.
@@ -107,7 +108,7 @@ void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {
       facesWithNeedles(mesh, static_cast<std::size_t>(model.faces.Extent()));
   int examined = 0;
   for (FaceReport& face : mesh.faces) {
-    const bool isFailed = face.status == FaceStatus::Failed && !hasKnownCause(face);
+    const bool isFailed = isUnexplained(face);
     const bool isPoor =
         face.status == FaceStatus::Complete && hasNeedles[static_cast<std::size_t>(face.id)];
     if (!(isFailed || (isPoor && face.surfaceType != "plane"))) continue;
@@ -124,9 +125,6 @@ void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {
 }
 
 void tellOfTurnedEdges(const ModelShape& model, std::vector<FaceReport>& faces) {
-  const auto isUnexplained = [](const FaceReport& face) {
-    return face.status == FaceStatus::Failed && !hasKnownCause(face);
-  };
   if (std::ranges::none_of(faces, isUnexplained)) return;
   const std::map<int, std::vector<EdgeSide>> sides = sidesOfEdges(model);
   for (FaceReport& face : faces) {

@@ -241,12 +241,8 @@ class Finder {
   }
 
   void lookAtCrossings(int face) {
-    const auto crossed = crossedEdges(shape_, face);
-    if (!crossed) return;
-    const std::string one = "edge " + std::to_string(crossed->one) + " crosses ";
-    const bool isSame = crossed->one == crossed->other;
-    add({DefectKind::Invalid, face, crossed->one, 0, 0, crossed->place,
-         one + (isSame ? "itself" : "edge " + std::to_string(crossed->other))});
+    if (const auto crossed = crossedEdges(shape_, face))
+      add({DefectKind::Invalid, face, crossed->one, 0, 0, crossed->place, wordsFor(*crossed)});
   }
 
   void lookAtUses() {

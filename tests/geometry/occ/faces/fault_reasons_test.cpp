@@ -4,6 +4,7 @@
 
 #include <BRep_Builder.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "tests/geometry/occ/meshing.h"
 
@@ -52,6 +53,26 @@ TEST(TurnedEdges, AreNoneInASoundModel) {
   std::vector<FaceReport> mantle{faces[0]};  // with a seam
   tellOfTurnedEdges(testing::cylinder(1, 2).shape(), mantle);
   EXPECT_EQ(mantle[0].reason, "stuck");
+}
+
+/// The boundary of the first face lacks an edge, and the others run the wrong way.
+TEST(TurnedEdges, AreToldOfInARun) {
+  const Model box = testing::box(1, 1, 1);
+  BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  const auto& uses = box.shape().edgesOfFaces[0];
+  for (std::size_t i = 0; i < 3; ++i) builder.Add(wire, uses[i].edge);
+  TopoDS_Face open = TopoDS::Face(box.shape().face(1).EmptyCopied());
+  builder.Add(open, wire);
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, open);
+  for (int id = 2; id <= 6; ++id) builder.Add(shell, box.shape().face(id));
+  const FaceReport face = testing::mesh(testing::modelOf(shell), 0.4).faces.at(0);
+  EXPECT_EQ(face.status, FaceStatus::Failed);
+  EXPECT_NE(face.reason.find("; in the model itself it runs along edge "), std::string::npos)
+      << face.reason;
 }
 
 }  // namespace
