@@ -13,9 +13,6 @@ namespace af2::geometry {
 
 namespace {
 
-/// A face without width has no elements, and no more than this share of the area of the mesh.
-constexpr double kMaxWithoutWidth = 1e-4;
-
 struct FacesArea {
   double area = 0;
   std::size_t elements = 0;
@@ -154,10 +151,7 @@ void ElementChecker::noteInside(std::size_t i, Part& part) const {
 }
 
 void checkAreas(const ModelMesh& mesh, std::map<int, double> areas, Findings& findings) {
-  double whole = 0;
-  for (const auto& [id, area] : areas) whole += area;
   for (const auto& [id, face] : areasOfFaces(mesh)) {
-    if (!areas.contains(id) && face.area < kMaxWithoutWidth * whole) continue;
     const double ratio = areas[id] / face.area;
     if (!isWrongArea(ratio, face.elements)) continue;
     findings.add(

@@ -39,6 +39,8 @@ class Layers:
 
 
 def positive(value: Any, argument: str) -> float:
+    if callable(value):
+        raise _af2.InputError(f"{argument}: expected a number; a function of the position is given as sizes=")
     if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.floating, np.integer)):
         raise _af2.InputError(f"{argument}: expected a number, not {value!r}")
     number = float(value)

@@ -20,6 +20,7 @@ class Arguments(Case):
         self.refused("size: give the wanted edge length", size=None)
         for size in (0, -1, np.inf, np.nan, "1", True):
             self.refused("size", size=size)
+        self.refused("is given as sizes=", size=lambda points: 1)
         self.refused("min_size=3.0 is above max_size=2.0", min_size=3, max_size=2)
         self.refused("at least 3 elements", curvature=2)
         self.refused("grading=11", grading=11)

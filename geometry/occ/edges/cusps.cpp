@@ -64,16 +64,9 @@ class CuspFinder {
           if (found[i] != found[k] && areAlike(found[i], found[k])) compare(found[i], found[k]);
   }
 
-  Point3 direction(EdgeEnd end) const {
-    const std::vector<EdgePiece>& pieces = samples_[end.edge].pieces;
-    const std::vector<Point3>& p = end.isStart ? pieces.front().positions : pieces.back().positions;
-    const Point3 way = end.isStart ? p[1] - p[0] : p[p.size() - 2] - p.back();
-    return (1 / length(way)) * way;
-  }
-
   bool areAlike(EdgeEnd one, EdgeEnd other) const {
     constexpr double kMinCosine = 0.9;  // samples are fine
-    return dot(direction(one), direction(other)) > kMinCosine;
+    return dot(directionFrom(one, samples_), directionFrom(other, samples_)) > kMinCosine;
   }
 
   void compare(EdgeEnd one, EdgeEnd other) {

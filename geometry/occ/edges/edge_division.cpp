@@ -104,7 +104,7 @@ class Preparation {
   }
 
   double pointLengthOf(std::size_t i) const {
-    return pointLength(model_, static_cast<int>(i) + 1, samples_[i]);
+    return pointLength(model_, static_cast<int>(i) + 1, ends_, samples_);
   }
 
   bool isAskedToBePoint(std::size_t i) const { return asPoints_.contains(static_cast<int>(i) + 1); }
@@ -124,17 +124,21 @@ class Preparation {
   /// The shortest first. Many short edges one after the other may make a long one, which is none.
   void mergeAlongShortEdges(MergedPoints& merging) {
     std::vector<std::size_t> edges;
-    for (std::size_t i = 0; i < samples_.size(); ++i)
-      if (!isMerged_[i] && samples_[i].problem.empty() &&
-          (samples_[i].pieces.empty() || mayBePoint(i)))
-        edges.push_back(i);
+    std::vector<double> most(samples_.size(), 0);  // as long as all edges have their samples
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (isMerged_[i] || !samples_[i].problem.empty()) continue;
+      const bool isPoint = samples_[i].pieces.empty();
+      if (!isPoint && !mayBePoint(i)) continue;
+      edges.push_back(i);
+      if (!isPoint) most[i] = mostExtent(i);
+    }
     std::ranges::stable_sort(edges, {}, [&](std::size_t i) { return samples_[i].length; });
     std::vector<std::pair<std::size_t, double>> asked;
     for (const std::size_t i : edges) {
       const Ends ends = ends_[i];
       const bool isPoint =
           samples_[i].pieces.empty() || merging.find(ends.first) == merging.find(ends.last);
-      if (!isPoint && merging.extent(ends.first, ends.last) > mostExtent(i)) continue;
+      if (!isPoint && merging.extent(ends.first, ends.last) > most[i]) continue;
       if (isAskedToBePoint(i)) asked.emplace_back(i, extentOf(samples_[i]));
       samples_[i].pieces.clear();
       merging.merge(ends.first, ends.last);

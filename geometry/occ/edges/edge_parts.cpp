@@ -51,6 +51,13 @@ std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<Edge
   return byPoint;
 }
 
+Point3 directionFrom(EdgeEnd end, const std::vector<EdgeSamples>& samples) {
+  const std::vector<EdgePiece>& pieces = samples[end.edge].pieces;
+  const std::vector<Point3>& p = end.isStart ? pieces.front().positions : pieces.back().positions;
+  const Point3 way = end.isStart ? p[1] - p[0] : p[p.size() - 2] - p.back();
+  return (1 / length(way)) * way;
+}
+
 double extentOf(const EdgeSamples& samples) {
   Box3 box;
   for (const EdgePiece& piece : samples.pieces)

@@ -26,6 +26,9 @@ std::map<std::uint32_t, std::vector<EdgeEnd>> endsByPoint(const std::vector<Edge
                                                           const std::vector<Ends>& ends,
                                                           const std::vector<EdgeSamples>& samples);
 
+/// The direction in which an edge leaves one of its ends, of unit length. It must not be a point.
+Point3 directionFrom(EdgeEnd end, const std::vector<EdgeSamples>& samples);
+
 /// The part of an edge between two of the points that it passes, or the whole edge.
 struct EdgePart {
   std::size_t edge = 0;  ///< [0] is edge 1

@@ -16,8 +16,13 @@ namespace af2::geometry {
 /// is, or is not, within the tolerance of its vertex.
 double spanOf(const EdgeSamples& samples, const Ends& ends);
 
-/// How long an edge may be to be taken for a point.
-double pointLength(const ModelShape& model, int edge, const EdgeSamples& samples);
+/// How long an edge may be to be taken for a point: longer at the end of a sliver than between two
+/// sides of something thin, which would fall onto each other.
+///
+/// edge           an id
+/// ends, samples  by edge; [0] is edge 1
+double pointLength(const ModelShape& model, int edge, const std::vector<Ends>& ends,
+                   const std::vector<EdgeSamples>& samples);
 
 /// Ends in wires that lie apart by no more than the tolerances of their vertices, as gapsInWires.
 ///

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "geometry/base/constants.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/touching_edges.h"
 
@@ -131,8 +132,13 @@ class TwinFinder {
   double reachOf(std::size_t one, std::size_t other) const {
     const int edge = static_cast<int>(parts_[one].edge) + 1;
     const int earlier = static_cast<int>(parts_[other].edge) + 1;
-    return reachOfEdge(model_, edge, BRep_Tool::Tolerance(model_.edge(earlier)),
-                       parts_[one].samples.wanted);
+    const double wanted = parts_[one].samples.wanted;
+    const double reach =
+        reachOfEdge(model_, edge, BRep_Tool::Tolerance(model_.edge(earlier)), wanted);
+    return isShared(edge) && isShared(earlier) ? std::max(reach, kUnseenSliver * wanted) : reach;
+  }
+  bool isShared(int edge) const {
+    return model_.facesOfEdges[static_cast<std::size_t>(edge) - 1].size() > 1;
   }
   /// Where the only face of an edge comes from when it runs along it.
   std::uint32_t startOf(const EdgePart& part) const {

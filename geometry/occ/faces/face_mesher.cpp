@@ -24,6 +24,7 @@
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/edges/edge_samples.h"
 #include "geometry/occ/edges/tip_fans.h"
+#include "geometry/occ/edges/touching_edges.h"
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/faces/face_loops.h"
 #include "geometry/occ/faces/most_area.h"
@@ -108,6 +109,7 @@ class FaceMesher {
       return;
     }
     if (hasNoArea()) {
+      mesh.report.area = 0;
       mesh.report.reason = kIsLine;
       return;
     }
@@ -162,7 +164,8 @@ class FaceMesher {
     }
     if (boundary.input.loops.empty()) {
       mesh.hasVanished = boundary.uses.empty() && areAllEdgesPoints();
-      if (mesh.hasVanished) mesh.report.area = 0;  // nothing is to be compared with it
+      if (mesh.hasVanished || area_ <= mostWithoutWidth())
+        mesh.report.area = 0;  // nothing is to be compared with it
       mesh.report.reason = mesh.hasVanished ? kVanished : kWithoutWidth;
       return;
     }
@@ -205,6 +208,19 @@ class FaceMesher {
       return std::make_shared<const OwnWanted>(context_, face_, original_, size);
     };
     fillAndJudge(filling, boundary, mesh);
+  }
+
+  /// What edges may enclose that count as one.
+  double mostWithoutWidth() const {
+    const DividedEdges& divided = context_.request.divided;
+    double both = 0;
+    for (const EdgeUse& use : context_.model.edgesOfFaces[static_cast<std::size_t>(face_) - 1]) {
+      const DividedEdge& edge = divided.edges[static_cast<std::size_t>(use.id) - 1];
+      for (std::size_t i = 1; i < edge.points.size(); ++i)
+        both += edge.wanted *
+                distance(divided.points[edge.points[i - 1]], divided.points[edge.points[i]]);
+    }
+    return 0.5 * kMaxBetweenTouching * both;
   }
 
   bool areAllEdgesPoints() const {

@@ -1,6 +1,5 @@
 #include "geometry/occ/faces/fault_reasons.h"
 
-#include <BRep_Tool.hxx>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,6 +10,7 @@
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/crossed_edges.h"
+#include "geometry/occ/faces/edge_sides.h"
 #include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/surfaces/face_surface.h"
 
@@ -60,23 +60,6 @@ std::string needleTipOf(const FaceSurface& surface) {
 bool isUnexplained(const FaceReport& face) {
   return face.status == FaceStatus::Failed &&
          face.reason.find("in the model itself") == std::string::npos;
-}
-
-/// How a face runs along an edge.
-struct EdgeSide {
-  int face = 0;
-  bool isForward = true;
-};
-
-std::map<int, std::vector<EdgeSide>> sidesOfEdges(const ModelShape& model) {
-  std::map<int, std::vector<EdgeSide>> sides;
-  for (int face = 1; face <= model.faces.Extent(); ++face) {
-    const TopAbs_Orientation own = model.face(face).Orientation();
-    for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1])
-      if (!BRep_Tool::Degenerated(use.edge))
-        sides[use.id].push_back({face, use.edge.Orientation() == own});
-  }
-  return sides;
 }
 
 std::string turnedEdgeOf(const ModelShape& model, int face,

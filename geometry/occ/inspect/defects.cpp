@@ -22,6 +22,7 @@
 #include "geometry/base/constants.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/crossed_edges.h"
+#include "geometry/occ/faces/edge_sides.h"
 #include "geometry/occ/faces/face_area.h"
 #include "geometry/occ/inspect/overlaps.h"
 #include "geometry/occ/model/model_shape.h"
@@ -79,12 +80,6 @@ std::string wordsFor(BRepCheck_Status status) {
       return "";
   }
 }
-
-/// An edge where a face has it.
-struct EdgeUse {
-  int face;
-  bool isForward;
-};
 
 class Finder {
  public:
@@ -181,7 +176,6 @@ class Finder {
     double around = 0;
     for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
       const int edge = shape_.edges.FindIndex(it.Current());
-      uses_[edge].push_back({id, it.Current().Orientation() == TopAbs_FORWARD});
       around += lengths_[static_cast<std::size_t>(edge)];
     }
     const Point3 place = startOf(TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current()));
@@ -246,8 +240,7 @@ class Finder {
   }
 
   void lookAtUses() {
-    for (const auto& [edge, uses] : uses_) {
-      if (edge == 0 || BRep_Tool::Degenerated(shape_.edge(edge))) continue;
+    for (const auto& [edge, uses] : sidesOfEdges(shape_)) {
       const Point3 place = startOf(shape_.edge(edge));
       const double length = lengths_[static_cast<std::size_t>(edge)];
       const int face = uses.front().face;
@@ -298,8 +291,7 @@ class Finder {
   const Model& model_;
   const ModelShape& shape_;
   double size_;
-  std::vector<double> lengths_;               ///< by edge
-  std::map<int, std::vector<EdgeUse>> uses_;  ///< by edge
+  std::vector<double> lengths_;  ///< by edge
   std::vector<Defect> defects_;
 };
 
