@@ -12,9 +12,10 @@
 namespace af2::geometry {
 
 /// For each part, an earlier part between the same points along the same curve, if there is one.
-/// Either some face has both, and their distance is within their tolerances; or each bounds only
-/// one face, on opposite sides, and their distance is within a thousandth of the wanted size. Parts
-/// are in the order of their edges.
+/// Either some face has both, and their distance is within their tolerances or, if each belongs to
+/// several faces, that of a sliver (kUnseenSliver); or each bounds only one face, on opposite
+/// sides, and their distance is within a thousandth of the wanted size. Parts are in the order of
+/// their edges.
 std::vector<std::optional<std::size_t>> twinsOf(const ModelShape& model,
                                                 const std::vector<EdgePart>& parts);
 
