@@ -135,25 +135,48 @@ class Finder {
 
   std::optional<FaceOnFace> lieOn(int face, int under) const {
     FaceOnFace result{face, under, {}};
-    std::vector<TopoDS_Edge> own;
-    for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
-      const int edge = model_.edges.FindIndex(it.Current());
-      const bool isShared = std::ranges::count(usesOf(edge), under, &Use::face) > 0;
-      if (!isShared)
-        own.push_back(TopoDS::Edge(it.Current()));
-      else
-        result.folds.push_back(edge);
-    }
+    const std::vector<TopoDS_Edge> own = edgesWithout(face, under, &result.folds);
     if (own.empty())
       result.folds.clear();
     else if (!std::ranges::all_of(result.folds, [&](int edge) { return isFold(edge); }))
       return std::nullopt;
     try {
-      if (!liesOn(face, under, own)) return std::nullopt;
+      if (!liesOn(face, under, own) || isSlit(result)) return std::nullopt;
     } catch (const Standard_Failure&) {
       return std::nullopt;
     }
     return result;
+  }
+
+  /// The edges of a face that another one does not have.
+  ///
+  /// shared  gets the others; may be null
+  std::vector<TopoDS_Edge> edgesWithout(int face, int other, std::vector<int>* shared) const {
+    std::vector<TopoDS_Edge> own;
+    for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
+      const int edge = model_.edges.FindIndex(it.Current());
+      if (std::ranges::count(usesOf(edge), other, &Use::face) == 0)
+        own.push_back(TopoDS::Edge(it.Current()));
+      else if (shared)
+        shared->push_back(edge);
+    }
+    return own;
+  }
+
+  /// Whether each of the two lies on the other one, and both end at vertices of their own. Nothing
+  /// would be left of them, and what is beyond would not meet.
+  bool isSlit(const FaceOnFace& one) const {
+    if (one.isDouble() || !liesOn(one.under, one.face, edgesWithout(one.under, one.face, nullptr)))
+      return false;
+    const std::set<int> own = verticesOf(one.face);
+    return !std::ranges::includes(verticesOf(one.under), own);
+  }
+
+  std::set<int> verticesOf(int face) const {
+    std::set<int> vertices;
+    for (TopExp_Explorer it(model_.face(face), TopAbs_VERTEX); it.More(); it.Next())
+      vertices.insert(model_.vertices.FindIndex(it.Current()));
+    return vertices;
   }
 
   /// Whether two faces have an edge, and run along it to and fro.

@@ -94,6 +94,25 @@ TEST(FacesOnFaces, OfAFaceThatIsThereTwiceOneHasElements) {
   EXPECT_NE(result.faces[6].reason.find("is face 1 again"), std::string::npos);
 }
 
+/// A slit that is open by less than is told apart here: without its sides, the faces around it
+/// would not meet.
+TEST(FacesOnFaces, TheSidesOfASlitAreNone) {
+  const TopoDS_Face outline = testing::polygon({{0, 0, 0},
+                                                {10, 0, 0},
+                                                {10, 6, 0},
+                                                {0, 6, 0},
+                                                {0, 3 + 6e-6, 0},
+                                                {2, 3, 0},
+                                                {0, 3 - 6e-6, 0}});
+  const Model slit = testing::modelOf(BRepPrimAPI_MakePrism(outline, gp_Vec(0, 0, 2)).Shape());
+  EXPECT_TRUE(facesOnFaces(slit.shape(), 1).empty());
+  const ModelMesh result = testing::mesh(slit, 0.3);
+  const auto failed = std::ranges::find(result.faces, FaceStatus::Failed, &FaceReport::status);
+  ASSERT_NE(failed, result.faces.end());
+  EXPECT_NE(failed->reason.find("encloses an angle of"), std::string::npos) << failed->reason;
+  EXPECT_EQ(failed->reason.find("crosses itself"), std::string::npos);
+}
+
 TEST(FacesOnFaces, ThereAreNoneOnSoundModels) {
   const TopoDS_Face wedge = testing::polygon({{0, 0, 0}, {10, 0, 0}, {10, 0.05, 0}});
   for (const TopoDS_Shape& sound :
