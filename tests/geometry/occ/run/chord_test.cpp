@@ -1,8 +1,12 @@
 // Meshes of CAD models within a distance from the model.
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 
 #include <cmath>
@@ -87,6 +91,22 @@ TEST(Chord, HoldsOnATorusAlsoAsAShareOfTheSize) {
   const ModelMesh mesh = meshed(testing::modelOf(BRepPrimAPI_MakeTorus(10, 3).Shape()), options);
   EXPECT_LE(mesh.deviation->largest, 0.04);
   EXPECT_GT(mesh.deviation->largest, 0.01);
+}
+
+/// OpenCASCADE does not take the profile for closed, a whole circle from 0 to 2 pi: points beyond
+/// the seam are near the other end of the parameter.
+TEST(Chord, HoldsAcrossASeamThatIsNotSaidToClose) {
+  const gp_Circ profile(gp_Ax2({2, 0, 0}, {0, -1, 0}, {0, 0, -1}), 1);
+  const TopoDS_Shape disc =
+      BRepBuilderAPI_MakeFace(
+          BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(profile).Edge()).Wire())
+          .Face();
+  const TopoDS_Shape ring =
+      BRepPrimAPI_MakeRevol(disc, gp_Ax1(gp_Pnt(), gp::DZ()), 2 * std::numbers::pi).Shape();
+  const ModelMesh mesh = meshed(testing::modelOf(ring), within(0.01, 0.5));
+  ASSERT_TRUE(mesh.deviation);
+  EXPECT_LE(mesh.deviation->largest, 0.01);
+  EXPECT_LT(mesh.elements.size(), 8000u);
 }
 
 TEST(Chord, OfOneFaceLeavesTheOthersAlone) {
