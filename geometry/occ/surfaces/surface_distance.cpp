@@ -105,7 +105,7 @@ class GeneralDistance final : public FaceDistance {
   }
 
  private:
-  static constexpr std::size_t kPlaces = 32;  // along each parameter
+  static constexpr std::size_t kPlaces = 64;  // along each parameter
   static constexpr double kSame = 1e-7;       // of the extent of the face
   struct Place {
     Point3 position;
