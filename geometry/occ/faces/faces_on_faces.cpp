@@ -134,8 +134,8 @@ class Finder {
   }
 
   std::optional<FaceOnFace> lieOn(int face, int under) const {
-    FaceOnFace result{face, under, {}};
-    const std::vector<TopoDS_Edge> own = edgesWithout(face, under, &result.folds);
+    auto [own, shared] = edgesBeside(face, under);
+    FaceOnFace result{face, under, std::move(shared)};
     if (own.empty())
       result.folds.clear();
     else if (!std::ranges::all_of(result.folds, [&](int edge) { return isFold(edge); }))
@@ -148,28 +148,28 @@ class Finder {
     return result;
   }
 
-  /// The edges of a face that another one does not have.
-  ///
-  /// shared  gets the others; may be null
-  std::vector<TopoDS_Edge> edgesWithout(int face, int other, std::vector<int>* shared) const {
+  struct Edges {
     std::vector<TopoDS_Edge> own;
+    std::vector<int> shared;
+  };
+  /// Those of a face that another one does not have, and those that it has.
+  Edges edgesBeside(int face, int other) const {
+    Edges edges;
     for (TopExp_Explorer it(model_.face(face), TopAbs_EDGE); it.More(); it.Next()) {
       const int edge = model_.edges.FindIndex(it.Current());
       if (std::ranges::count(usesOf(edge), other, &Use::face) == 0)
-        own.push_back(TopoDS::Edge(it.Current()));
-      else if (shared)
-        shared->push_back(edge);
+        edges.own.push_back(TopoDS::Edge(it.Current()));
+      else
+        edges.shared.push_back(edge);
     }
-    return own;
+    return edges;
   }
 
   /// Whether each of the two lies on the other one, and both end at vertices of their own. Nothing
   /// would be left of them, and what is beyond would not meet.
   bool isSlit(const FaceOnFace& one) const {
-    if (one.isDouble() || !liesOn(one.under, one.face, edgesWithout(one.under, one.face, nullptr)))
-      return false;
-    const std::set<int> own = verticesOf(one.face);
-    return !std::ranges::includes(verticesOf(one.under), own);
+    return !one.isDouble() && !std::ranges::includes(verticesOf(one.under), verticesOf(one.face)) &&
+           liesOn(one.under, one.face, edgesBeside(one.under, one.face).own);
   }
 
   std::set<int> verticesOf(int face) const {

@@ -101,9 +101,9 @@ TEST(FacesOnFaces, TheSidesOfASlitAreNone) {
                                                 {10, 0, 0},
                                                 {10, 6, 0},
                                                 {0, 6, 0},
-                                                {0, 3 + 6e-6, 0},
+                                                {0, 3 + 5e-6, 0},
                                                 {2, 3, 0},
-                                                {0, 3 - 6e-6, 0}});
+                                                {0, 3 - 5e-6, 0}});
   const Model slit = testing::modelOf(BRepPrimAPI_MakePrism(outline, gp_Vec(0, 0, 2)).Shape());
   EXPECT_TRUE(facesOnFaces(slit.shape(), 1).empty());
   const ModelMesh result = testing::mesh(slit, 0.3);

@@ -277,6 +277,15 @@ TEST(Dirt, APlateIsNotClosedForBeingThin) {
   EXPECT_NEAR(volumeOf(result), 6e-5, 1e-12);
 }
 
+TEST(Dirt, AStepInTheOutlineOfASheetIsKept) {
+  const double tiny = 6e-5;
+  const TopoDS_Face sheet = testing::polygon(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5, 1, 0}, {0.5, 1 - tiny, 0}, {0, 1 - tiny, 0}});
+  const ModelMesh result = mesh(sheet, 0.3);
+  testing::expectComplete(result);
+  EXPECT_NEAR(areaOf(result), 1 - tiny / 2, 1e-9);
+}
+
 /// Nor is a strip that is all there is, unless it cannot be seen.
 TEST(Dirt, AStripAloneIsClosedOnlyWhereItCannotBeSeen) {
   const TopoDS_Face strip = testing::polygon({{0, 0, 0}, {1, 0, 0}, {1, 3e-5, 0}, {0, 3e-5, 0}});
