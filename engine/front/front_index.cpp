@@ -99,7 +99,9 @@ FrontIndex::Collected FrontIndex::collectNear(const Box3& box, std::vector<Place
     if (range.count() <= band.cells.size()) {
       collectInRange(band, range, search);
     } else {
-      for (const Cell& cell : band.cells) collectInCell(cell, search);
+      search.collected.lookedAt += band.cells.size();
+      for (const Cell& cell : band.cells)
+        if (range.contains(cell.key)) collectInCell(cell, search);
     }
   }
   return search.collected;

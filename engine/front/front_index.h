@@ -32,8 +32,9 @@ class FrontIndex {
   void erase(PlaceId id);
 
   struct Collected {
-    std::size_t count;     ///< edges that may meet the box
-    std::size_t lookedAt;  ///< edges in the cells around it: determines the running time
+    std::size_t count;  ///< edges that may meet the box
+    /// Edges in the cells around it, and cells if all are looked at: determines the running time.
+    std::size_t lookedAt;
   };
   /// Puts every edge that may meet the box into `found`, each once. The order depends only on the
   /// history of inserts and erases. `found` never shrinks.
@@ -111,6 +112,15 @@ class FrontIndex {
       for (int i = 0; i < 3; ++i)
         product *= std::min(static_cast<std::uint64_t>(high[i] - low[i]) + 1, kMany);
       return product;
+    }
+    /// Whether the cell of a key may be in the range: keys repeat after very many cells.
+    bool contains(std::uint64_t key) const {
+      constexpr std::uint64_t kMask = (1u << kKeyBits) - 1;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint64_t fromLow = (key >> i * kKeyBits) - static_cast<std::uint64_t>(low[i]);
+        if ((fromLow & kMask) > static_cast<std::uint64_t>(high[i] - low[i])) return false;
+      }
+      return true;
     }
   };
 

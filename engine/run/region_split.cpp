@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/constants.h"
 #include "engine/base/error.h"
 #include "engine/run/even_cuts.h"
 #include "engine/run/region_cuts.h"
+#include "engine/run/region_elements.h"
 #include "engine/run/region_loops.h"
 
 namespace af2 {
@@ -35,7 +35,8 @@ class Splitter {
  private:
   void recurse(const Loops& loops, int depth) {
     const Plane plane = planeFor(loops);
-    const double expected = expectedElements(loops, plane);
+    const double expected =
+        expectedElements(loops, plane, isReversed_, surface_, size_, options_.pieceElements);
     if (expected > options_.pieceElements) {
       std::vector<Cut> cuts = tryToCut(loops, plane);
       if (!cuts.empty()) {
@@ -139,18 +140,6 @@ class Splitter {
     } catch (const GeometryError&) {
     }
     return {};
-  }
-
-  double expectedElements(const Loops& loops, const Plane& plane) const {
-    double area = 0, lengths = 0, weights = 0;
-    for (const Loop& loop : loops) area += signedArea(loop, plane);
-    forEachEdge(loops, [&](const BoundaryCorner& c, const BoundaryCorner& d) {
-      const double length = distance(c.point.position, d.point.position);
-      lengths += length * size_.sizeAt(c.point);
-      weights += length;
-    });
-    const double size = weights > 0 ? lengths / weights : 1;
-    return std::abs(area) / (kUnitTriangle * size * size);
   }
 
   static RegionPiece pieceOf(const Loops& loops) {

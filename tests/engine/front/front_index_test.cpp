@@ -154,6 +154,29 @@ TEST(FrontIndex, FindsALongEdgeFromAnyOfItsPoints) {
     expectFindsAll(front, index, {id}, {{x, 49.9, 0}, {x + .1, 50.1, 0}});
 }
 
+TEST(FrontIndex, DoesNotLookAtShortEdgesFarFromALongOne) {
+  // Short edges around a square of a thousand lengths; the search is inside.
+  FrontIndex index({{0, 0, 0}, {1000, 1000, 0}}, 1);
+  Front front;
+  std::set<PlaceId> inIndex;
+  for (int side = 0; side < 4; ++side) {
+    for (int i = 0; i < 1000; ++i) {
+      const Point3 p{1. * i, side == 0 ? 0. : 1000., 0};
+      const Point3 at = side < 2 ? p : Point3{p.y - (side == 2 ? 0 : 1000), p.x, 0};
+      const PlaceId id = addEdgePair(front, at, at + Point3{.7, .7, 0});
+      index.insert(front, id);
+      inIndex.insert(id);
+    }
+  }
+  const Box3 inside{{100, 100, -100}, {900, 900, 100}};
+  std::vector<PlaceId> found;
+  EXPECT_LT(index.collectNear(inside, found).lookedAt, inIndex.size() / 4);
+  expectFindsAll(front, index, inIndex, inside);
+  const Box3 atTheSide{{-100, 400, -100}, {300, 600, 100}};
+  EXPECT_LT(index.collectNear(atTheSide, found).lookedAt, inIndex.size() / 4);
+  expectFindsAll(front, index, inIndex, atTheSide);
+}
+
 TEST(FrontIndex, FindsInAnOrderThatDependsOnItsHistoryAlone) {
   const auto visit = [] {
     std::mt19937 random(9);
