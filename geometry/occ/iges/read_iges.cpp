@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "geometry/occ/base/quick_repairs.h"
 #include "geometry/occ/iges/closed_runs.h"
 #include "geometry/occ/iges/lost_iges_faces.h"
 #include "geometry/occ/iges/shifted_curves.h"
@@ -179,6 +180,7 @@ TopoDS_Shape transferred(IGESControl_Reader& reader, const std::filesystem::path
     throw InputError(path.string() +
                      ": this IGES file is damaged or truncated; export the model again");
   reader.SetReadVisible(false);
+  repairShapesQuickly();
   reader.TransferRoots();
   return reader.OneShape();
 }

@@ -15,6 +15,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/utf8.h"
+#include "geometry/occ/base/quick_repairs.h"
 #include "geometry/occ/base/trial.h"
 #include "geometry/occ/model/turned_faces.h"
 #include "geometry/occ/read/reader_setting.h"
@@ -109,6 +110,7 @@ void tell(const ExternalParts& parts, const std::filesystem::path& path,
 
 IFSelect_ReturnStatus readInto(STEPControl_Reader& reader, const std::filesystem::path& path) {
   giveLexerBlocks();
+  repairShapesQuickly();
   const std::optional<std::string> mended = withOmittedNames(path);
   if (!mended) return reader.ReadFile(path.c_str());
   std::istringstream text(*mended);

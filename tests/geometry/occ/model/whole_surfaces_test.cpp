@@ -4,12 +4,10 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Builder.hxx>
-#include <IGESControl_Writer.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <numbers>
 
 #include "geometry/io/report.h"
+#include "tests/geometry/occ/in_iges.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/shapes.h"
 #include "tests/support/test_folder.h"
@@ -27,12 +25,7 @@ TopoDS_Shape turnedCircle() {
 }
 
 Model readFromIges(const std::vector<TopoDS_Shape>& shapes) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  IGESControl_Writer writer("MM", 0);
-  for (const TopoDS_Shape& shape : shapes) writer.AddShape(shape);
-  writer.ComputeModel();
-  const testing::TestFile file("turned.igs");
-  writer.Write(file.path().c_str());
+  const testing::TestFile file("turned.igs", testing::inIges(shapes));
   return readModel(file.path());
 }
 

@@ -3,9 +3,6 @@
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <IGESControl_Writer.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <algorithm>
 #include <filesystem>
 
@@ -13,6 +10,7 @@
 #include "geometry/io/report.h"
 #include "geometry/occ/heal/heal_model.h"
 #include "geometry/occ/run/mesh_model.h"
+#include "tests/geometry/occ/in_iges.h"
 #include "tests/geometry/occ/in_step.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/support/test_folder.h"
@@ -123,15 +121,7 @@ TEST(LostFaces, AreNoneWhereOnlyANameIsLeftOut) {
 }
 
 /// Plain faces that share no edges, as IGES has them.
-std::string boxInIges() {
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  IGESControl_Writer writer("MM", 0);
-  writer.AddShape(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
-  writer.ComputeModel();
-  const testing::TestFile file("box.igs");
-  writer.Write(file.path().c_str());
-  return contentOf(file.path());
-}
+std::string boxInIges() { return testing::inIges({BRepPrimAPI_MakeBox(10, 20, 30).Shape()}); }
 
 TEST(LostFaces, OfAnIgesFileAreNamed) {
   std::string text = boxInIges();

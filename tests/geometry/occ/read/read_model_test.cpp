@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include "engine/base/error.h"
 #include "geometry/base/words.h"
 #include "geometry/occ/model/model.h"
+#include "tests/geometry/occ/in_iges.h"
 #include "tests/support/test_folder.h"
 
 namespace af2::geometry {
@@ -52,11 +52,7 @@ TEST_F(ReadModel, ReadsStepAndBrepAlike) {
 }
 
 TEST_F(ReadModel, LeavesTheSettingsOfOtherReadersAlone) {
-  const fs::path iges = folder_ / "box.igs";
-  IGESControl_Writer writer("MM", 0);
-  writer.AddShape(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
-  writer.ComputeModel();
-  writer.Write(iges.c_str());
+  const testing::TestFile iges("box.igs", testing::inIges({BRepPrimAPI_MakeBox(1, 2, 3).Shape()}));
   readModel(kModels / "die.step");  // the settings are there from now on
   const std::map<std::string, std::string> own{{"xstep.cascade.unit", "INCH"},
                                                {"read.step.codepage", "GB"},
@@ -67,7 +63,7 @@ TEST_F(ReadModel, LeavesTheSettingsOfOtherReadersAlone) {
     Interface_Static::SetCVal(name.c_str(), value.c_str());
   }
   readModel(kModels / "die.step");
-  readModel(iges);
+  readModel(iges.path());
   for (const auto& [name, value] : before) {
     after[name] = Interface_Static::CVal(name.c_str());
     Interface_Static::SetCVal(name.c_str(), value.c_str());

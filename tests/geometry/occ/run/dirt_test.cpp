@@ -7,7 +7,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
@@ -22,6 +21,7 @@
 
 #include "engine/base/error.h"
 #include "geometry/occ/run/mesh_model.h"
+#include "tests/geometry/occ/in_iges.h"
 #include "tests/geometry/occ/meshing.h"
 #include "tests/geometry/occ/run/dirt.h"
 #include "tests/support/model_mesh.h"
@@ -113,10 +113,7 @@ TEST(Dirt, InchesAndMicronsBecomeMillimetres) {
 
 /// In IGES all faces are loose.
 Model throughIges(const TopoDS_Shape& shape) {
-  const testing::TestFile file("shape.iges");
-  IGESControl_Writer writer("MM", 0);
-  writer.AddShape(shape);
-  EXPECT_TRUE(writer.Write(file.path().c_str()));
+  const testing::TestFile file("shape.iges", testing::inIges({shape}));
   return readModel(file.path());
 }
 

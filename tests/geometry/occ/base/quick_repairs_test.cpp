@@ -1,0 +1,150 @@
+// That OpenCASCADE's replacements of shapes give what they gave, where copies are left out.
+#include "geometry/occ/base/quick_repairs.h"
+
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <ShapeAlgo.hxx>
+#include <ShapeAlgo_AlgoContainer.hxx>
+#include <ShapeAlgo_ToolContainer.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix_Shape.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <utility>
+#include <vector>
+
+#include "geometry/occ/model/model.h"
+#include "tests/geometry/occ/in_iges.h"
+#include "tests/geometry/occ/in_step.h"
+
+namespace af2::geometry {
+namespace {
+
+using Context = Handle(ShapeBuild_ReShape);
+
+Context quickContext() {
+  repairShapesQuickly();
+  return ShapeAlgo::AlgoContainer()->ToolContainer()->FixShape()->Context();
+}
+
+Context plainContext() {
+  const Context context = new ShapeBuild_ReShape;
+  context->ModeConsiderLocation() = true;
+  return context;
+}
+
+/// Two boxes that are one shape at two places.
+TopoDS_Shape twoBoxes() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Solid();
+  gp_Trsf away;
+  away.SetTranslation({5, 0, 0});
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, box);
+  builder.Add(both, box.Moved(away));
+  return both;
+}
+
+TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(shape, type, parts);
+  return parts;
+}
+
+/// By type: how many parts there are, and how many of them are parts of `before`.
+std::vector<std::pair<int, int>> countsOf(const TopoDS_Shape& shape, const TopoDS_Shape& before) {
+  std::vector<std::pair<int, int>> counts;
+  for (const TopAbs_ShapeEnum type : {TopAbs_COMPOUND, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE,
+                                      TopAbs_WIRE, TopAbs_EDGE, TopAbs_VERTEX}) {
+    const TopTools_IndexedMapOfShape parts = partsOf(shape, type), old = partsOf(before, type);
+    int kept = 0;
+    for (int i = 1; i <= parts.Extent(); ++i) kept += old.Contains(parts(i));
+    counts.emplace_back(parts.Extent(), kept);
+  }
+  return counts;
+}
+
+/// What both contexts make of a shape in which a part has been replaced, or removed.
+void expectBothMakeTheSame(const TopoDS_Shape& shape, const TopoDS_Shape& part,
+                           const TopoDS_Shape& by) {
+  const Context quick = quickContext(), plain = plainContext();
+  for (const Context& context : {quick, plain}) context->Replace(part, by);
+  for (int turn = 0; turn < 2; ++turn) {
+    const TopoDS_Shape made = quick->Apply(shape), expected = plain->Apply(shape);
+    EXPECT_FALSE(made.IsSame(shape));
+    EXPECT_EQ(countsOf(made, shape), countsOf(expected, shape));
+    EXPECT_EQ(made.Orientation(), expected.Orientation());
+    for (int status = ShapeExtend_OK; status <= ShapeExtend_FAIL; ++status)
+      EXPECT_EQ(quick->Status(static_cast<ShapeExtend_Status>(status)),
+                plain->Status(static_cast<ShapeExtend_Status>(status)))
+          << status << " at turn " << turn;
+  }
+}
+
+TEST(QuickRepairs, ReplacesPartsAsBefore) {
+  const TopoDS_Shape shape = twoBoxes();
+  for (const TopAbs_ShapeEnum type : {TopAbs_SOLID, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+    const TopoDS_Shape part = partsOf(shape, type)(2);
+    expectBothMakeTheSame(shape, part, BRepBuilderAPI_Copy(part).Shape());
+    expectBothMakeTheSame(shape.Reversed(), part, BRepBuilderAPI_Copy(part).Shape());
+  }
+  expectBothMakeTheSame(shape, partsOf(shape, TopAbs_FACE)(4), {});
+}
+
+TEST(QuickRepairs, GivesTheSameShapeWhereNothingIsReplaced) {
+  const TopoDS_Shape shape = twoBoxes(), other = twoBoxes();
+  const Context context = quickContext();
+  EXPECT_TRUE(context->Apply(shape).IsEqual(shape));
+  context->Remove(partsOf(other, TopAbs_FACE)(1));
+  EXPECT_TRUE(context->Apply(shape).IsEqual(shape));
+  EXPECT_TRUE(context->Status(ShapeExtend_OK));
+  EXPECT_TRUE(context->Apply({}).IsNull());
+  EXPECT_FALSE(context->Apply(other).IsEqual(other));
+  context->Clear();
+  EXPECT_TRUE(context->Apply(other).IsEqual(other));
+}
+
+/// Sets tools, and puts those that were there before back.
+class WithTools {
+ public:
+  explicit WithTools(const Handle(ShapeAlgo_ToolContainer) & tools) {
+    ShapeAlgo::Init();
+    before_ = ShapeAlgo::AlgoContainer()->ToolContainer();
+    ShapeAlgo::AlgoContainer()->SetToolContainer(tools);
+  }
+  ~WithTools() { ShapeAlgo::AlgoContainer()->SetToolContainer(before_); }
+  static Handle(ShapeAlgo_ToolContainer) now() {
+    return ShapeAlgo::AlgoContainer()->ToolContainer();
+  }
+
+ private:
+  Handle(ShapeAlgo_ToolContainer) before_;
+};
+
+TEST(QuickRepairs, KeepsTheToolsOfTheProgram) {
+  struct Own : ShapeAlgo_ToolContainer {};
+  const Handle(ShapeAlgo_ToolContainer) own = new Own;
+  const WithTools tools(own);
+  repairShapesQuickly();
+  EXPECT_EQ(tools.now(), own);
+}
+
+TEST(QuickRepairs, AreUsedByTheReaders) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Solid();
+  const testing::TestFile step("box.step", testing::inStep(box)),
+      iges("box.igs", testing::inIges({box}));
+  for (const testing::TestFile* file : {&step, &iges}) {
+    const Handle(ShapeAlgo_ToolContainer) plain = new ShapeAlgo_ToolContainer;
+    const WithTools tools(plain);
+    readModel(file->path());
+    EXPECT_NE(tools.now(), plain) << file->path();
+  }
+}
+
+}  // namespace
+}  // namespace af2::geometry
