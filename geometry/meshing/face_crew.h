@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,7 @@ struct FaceRound {
 /// What a run over the faces may ask for instead of the options that all processes know.
 struct RunChange {
   std::vector<int> faces;
+  std::map<int, double> faceSizes;
   SizeSources sources;
   ChordBounds chords;
   bool optimize = true, evenLoops = false, hasLayers = true;

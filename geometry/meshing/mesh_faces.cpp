@@ -24,6 +24,7 @@
 #include "geometry/meshing/chord_rounds.h"
 #include "geometry/meshing/even_division.h"
 #include "geometry/meshing/face_crew.h"
+#include "geometry/meshing/finer_faces.h"
 #include "geometry/meshing/first_faces.h"
 #include "geometry/meshing/progress_sum.h"
 #include "geometry/meshing/spooled_faces.h"
@@ -322,16 +323,27 @@ ModelMesh follow(CrewFollower& crew, FaceSource& source, const AF2Algorithm& alg
   return crew.reports();
 }
 
-/// Finds narrow places first, and keeps to the bounds on the distance from the model.
+/// Finds narrow places first, keeps to the bounds on the distance from the model, and takes smaller
+/// sizes where faces fail. The seconds are those of all meshes that were made.
 ModelMesh meshWithin(FaceSource& source, const AF2Algorithm& algorithm, MeshingOptions options) {
   if (options.sizes.elementsAcross > 0) addNarrowPlaces(source, algorithm, options);
+  StageSeconds spent;
   const auto make = [&](const MeshingOptions& asked) {
-    return FaceRun(source, algorithm, asked).mesh();
+    MeasuredMesh made = FaceRun(source, algorithm, asked).mesh();
+    spent.edges += made.mesh.seconds.edges;
+    spent.surface += made.mesh.seconds.surface;
+    spent.optimize += made.mesh.seconds.optimize;
+    return made;
   };
-  if (!options.sizes.chords.areGiven()) return make(options).mesh;
-  MeasuredMesh within = meshWithinChords(options, make);
-  if (options.fewest) thinWithinChords(source, options, within);
-  return std::move(within.mesh);
+  const auto within = [&](const MeshingOptions& asked) {
+    if (!asked.sizes.chords.areGiven()) return make(asked).mesh;
+    MeasuredMesh measured = meshWithinChords(asked, make);
+    if (asked.fewest) thinWithinChords(source, asked, measured);
+    return std::move(measured.mesh);
+  };
+  ModelMesh mesh = meshFinerWhereFailed(source, std::move(options), within);
+  mesh.seconds = spent;
+  return mesh;
 }
 
 /// With sizes that are larger than those that are asked for, if these need too much memory.

@@ -108,8 +108,10 @@ void pass(auto& archive, mpi::Is<ChordBounds> auto& bounds) {
 }
 
 void pass(auto& archive, mpi::Is<RunChange> auto& change) {
-  auto& [faces, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces, keptIn] = change;
-  archive(faces, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces, keptIn);
+  auto& [faces, faceSizes, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces,
+         keptIn] = change;
+  archive(faces, faceSizes, sources, chords, optimize, evenLoops, hasLayers, order, keepFaces,
+          keptIn);
 }
 
 }  // namespace af2::geometry

@@ -57,11 +57,6 @@ std::string needleTipOf(const FaceSurface& surface) {
   return "";
 }
 
-bool isUnexplained(const FaceReport& face) {
-  return face.status == FaceStatus::Failed &&
-         face.reason.find("in the model itself") == std::string::npos;
-}
-
 std::string turnedEdgeOf(const ModelShape& model, int face,
                          const std::map<int, std::vector<EdgeSide>>& sides) {
   for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
@@ -78,6 +73,11 @@ std::string turnedEdgeOf(const ModelShape& model, int face,
 }
 
 }  // namespace
+
+bool isUnexplained(const FaceReport& face) {
+  return face.status == FaceStatus::Failed &&
+         face.reason.find("in the model itself") == std::string::npos;
+}
 
 std::string faultOf(const ModelShape& model, int face, double size) {
   if (const auto crossed = crossedEdges(model, face)) return textOf(*crossed);

@@ -13,6 +13,9 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
@@ -134,6 +137,35 @@ TEST(RippledStrips, NeedFewElements) {
   const ModelMesh mesh = testing::mesh(strip(true, 0.05), kSize);
   EXPECT_EQ(mesh.faces.at(0).status, FaceStatus::Complete) << mesh.faces[0].reason;
   EXPECT_LT(mesh.elements.size(), 200u);
+}
+
+/// Both sides of a thin wing and its sharp edges in one face.
+Model thinWing() {
+  const std::pair<double, double> section[] = {{1, 0},  {0.4, 0.08}, {-0.5, 0.08},
+                                               {-1, 0}, {0, -0.04},  {1, 0}};
+  constexpr int kCorners = 6;
+  TColgp_Array2OfPnt poles(1, kCorners, 1, 2);
+  TColStd_Array1OfReal along(1, kCorners), across(1, 2);
+  TColStd_Array1OfInteger times(1, kCorners), twice(1, 2);
+  for (int i = 1; i <= kCorners; ++i) {
+    const auto [x, z] = section[i - 1];
+    poles(i, 1) = gp_Pnt(2 * x, 0, 2 * z);
+    poles(i, 2) = gp_Pnt(x + 1, 5, z);
+    along(i) = i;
+    times(i) = i == 1 || i == kCorners ? 2 : 1;
+  }
+  for (int i = 1; i <= 2; ++i) across(i) = i, twice(i) = 2;
+  return testing::modelOf(BRepBuilderAPI_MakeFace(
+      new Geom_BSplineSurface(poles, along, across, times, twice, 1, 1), 1e-6));
+}
+
+TEST(RoughFaces, OfAThinWingAreMeshedWithSizesAboveItsLength) {
+  const Model model = thinWing();
+  for (const double size : {6.0, 3.0, 1.5, 0.4})
+    testing::expectComplete(testing::mesh(model, size), 30.1);
+  EXPECT_EQ(testing::mesh(model, 3.0).notes,
+            std::vector<std::string>{
+                "could not be meshed with the size that was asked for: face 1 has 1.5"});
 }
 
 }  // namespace

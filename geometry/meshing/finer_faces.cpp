@@ -1,0 +1,93 @@
+#include "geometry/meshing/finer_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/place_text.h"
+
+namespace af2::geometry {
+namespace {
+
+using MakeMesh = std::function<ModelMesh(const MeshingOptions&)>;
+
+/// Faces that failed although they are given few elements: fine ones fail for other reasons, and
+/// would take long.
+std::vector<int> coarseFailures(const FaceSource& source, const ModelMesh& mesh) {
+  constexpr double kFewElements = 1000;
+  std::vector<int> faces;
+  for (const FaceReport& face : mesh.faces)
+    if (face.status == FaceStatus::Failed && !source.isExplained(face) &&
+        source.workOn(face.id) < kFewElements)
+      faces.push_back(face.id);
+  return faces;
+}
+
+/// Only the faces, and only to see whether they can be meshed.
+MeshingOptions optionsAlone(const MeshingOptions& options, const std::vector<int>& faces) {
+  MeshingOptions alone = options;
+  alone.faces = faces;
+  alone.faceNames.clear();
+  alone.progress = {};
+  alone.observer = {};
+  alone.order = 1;
+  alone.sizes.chords = {};
+  alone.fewest = false;
+  alone.spool.when = SpoolRequest::When::Never;
+  return alone;
+}
+
+/// By face: the largest of the smaller sizes with which it can be meshed alone.
+std::map<int, double> sizesThatWork(const MeshingOptions& options, std::vector<int> faces,
+                                    const MakeMesh& make) {
+  constexpr double kShares[] = {1. / 2, 1. / 4, 1. / 8};
+  std::map<int, double> found;
+  for (const double share : kShares) {
+    std::erase_if(faces, [&](int face) {
+      return share * wantedOnFace(options.sizes, face) < options.sizes.minSize;
+    });
+    if (faces.empty() || options.stop.stop_requested()) break;
+    MeshingOptions tried = optionsAlone(options, faces);
+    for (const int face : faces)
+      tried.sizes.faceSizes[face] = share * wantedOnFace(options.sizes, face);
+    for (const FaceReport& face : make(tried).faces)
+      if (face.status == FaceStatus::Complete) found[face.id] = tried.sizes.faceSizes.at(face.id);
+    std::erase_if(faces, [&](int face) { return found.contains(face); });
+  }
+  return found;
+}
+
+std::string noteOf(const std::map<int, double>& sizes) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string text = "could not be meshed with the size that was asked for: ";
+  std::size_t named = 0;
+  for (const auto& [face, size] : sizes) {
+    if (named == kMostNamed) break;
+    text +=
+        (named++ > 0 ? ", face " : "face ") + std::to_string(face) + " has " + af2::textOf(size, 3);
+  }
+  if (sizes.size() > named) text += " and " + std::to_string(sizes.size() - named) + " more";
+  return text;
+}
+
+}  // namespace
+
+ModelMesh meshFinerWhereFailed(const FaceSource& source, MeshingOptions options,
+                               const MakeMesh& make) {
+  ModelMesh mesh = make(options);
+  if (options.strictRules || options.mostRetries == 0 || options.stop.stop_requested()) return mesh;
+  const std::vector<int> failed = coarseFailures(source, mesh);
+  if (failed.empty()) return mesh;
+  const std::map<int, double> sizes = sizesThatWork(options, failed, make);
+  if (sizes.empty() || options.stop.stop_requested()) return mesh;
+  for (const auto& [face, size] : sizes) options.sizes.faceSizes[face] = size;
+  ModelMesh finer = make(options);
+  if (failedFaces(finer) >= failedFaces(mesh)) return mesh;
+  finer.notes.push_back(noteOf(sizes));
+  return finer;
+}
+
+}  // namespace af2::geometry

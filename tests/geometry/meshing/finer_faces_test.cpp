@@ -1,0 +1,117 @@
+// Faces that fail with the sizes that are asked for, and can be meshed with smaller ones.
+#include "geometry/meshing/finer_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "engine/base/error.h"
+#include "geometry/meshing/mesh_faces.h"
+#include "tests/geometry/meshing/squares.h"
+#include "tests/support/model_mesh.h"
+#include "tests/support/triangle_rules.h"
+
+namespace af2::geometry {
+namespace {
+
+/// Some of the squares fail with sizes above their limit.
+class FailingSquares final : public testing::Squares {
+ public:
+  explicit FailingSquares(std::map<int, double> limits) : Squares(3), limits_(std::move(limits)) {}
+
+  void fill(int face, const FillRequest& request, FaceMesh& mesh) const override {
+    const auto limit = limits_.find(face);
+    if (limit != limits_.end() && wantedOnFace(prepared.back().sizes, face) > limit->second)
+      throw GeometryError("too coarse");
+    Squares::fill(face, request, mesh);
+  }
+  bool isExplained(const FaceReport&) const override { return areExplained; }
+  double workOn(int) const override { return work; }
+
+  bool areExplained = false;
+  double work = 3;
+
+ private:
+  std::map<int, double> limits_;
+};
+
+class FinerFaces : public ::testing::Test {
+ protected:
+  FinerFaces() { options.sizes.size = 1; }
+  ModelMesh mesh(FaceSource& source) const {
+    return meshFaces(source, AF2Algorithm(testing::triangleSet()), options);
+  }
+  void expectNotTried(FailingSquares& squares) const {
+    const ModelMesh result = mesh(squares);
+    EXPECT_EQ(squares.prepared.size(), 1u);
+    EXPECT_EQ(failedFaces(result), 1u);
+    EXPECT_EQ(result.notes.size(), 1u);
+  }
+
+  MeshingOptions options;
+};
+
+TEST_F(FinerFaces, HaveTheLargestSizesThatWork) {
+  FailingSquares squares({{1, 0.6}, {3, 0.2}});
+  const ModelMesh result = mesh(squares);
+  testing::expectComplete(result, 3);
+  EXPECT_EQ(squares.prepared.back().sizes.faceSizes, (std::map<int, double>{{1, 0.5}, {3, 0.125}}));
+  ASSERT_EQ(result.notes.size(), 2u);
+  EXPECT_EQ(
+      result.notes[1],
+      "could not be meshed with the size that was asked for: face 1 has 0.5, face 3 has 0.125");
+}
+
+TEST_F(FinerFaces, AreTriedAloneFirst) {
+  FailingSquares squares({{2, 0.3}});
+  mesh(squares);
+  std::vector<std::vector<int>> asked;
+  for (const MeshingOptions& prepared : squares.prepared) asked.push_back(prepared.faces);
+  EXPECT_EQ(asked, (std::vector<std::vector<int>>{{}, {2}, {2}, {}}));
+}
+
+TEST_F(FinerFaces, KeepTheirOwnSizesAsTheWhole) {
+  FailingSquares squares({{2, 0.05}});
+  options.sizes.faceSizes = {{2, 0.08}};
+  mesh(squares);
+  EXPECT_EQ(squares.prepared.back().sizes.faceSizes, (std::map<int, double>{{2, 0.04}}));
+}
+
+TEST_F(FinerFaces, StayFailedIfNoSizeHelps) {
+  FailingSquares squares({{2, 0.01}});
+  const ModelMesh result = mesh(squares);
+  EXPECT_EQ(squares.prepared.size(), 4u);
+  EXPECT_EQ(failedFaces(result), 1u);
+  EXPECT_EQ(result.faces[1].reason, "too coarse");
+  EXPECT_EQ(result.notes.size(), 1u);
+}
+
+TEST_F(FinerFaces, AreNotTriedBelowTheSmallestSize) {
+  options.sizes.minSize = 0.6;
+  FailingSquares squares({{2, 0.3}});
+  expectNotTried(squares);
+}
+
+TEST_F(FinerFaces, AreNotTriedWhereTheModelIsAtFault) {
+  FailingSquares squares({{2, 0.3}});
+  squares.areExplained = true;
+  expectNotTried(squares);
+}
+
+TEST_F(FinerFaces, AreNotTriedIfTheyAreFineAlready) {
+  FailingSquares squares({{2, 0.3}});
+  squares.work = 1000;
+  expectNotTried(squares);
+}
+
+TEST_F(FinerFaces, AreNotTriedWithoutRetries) {
+  FailingSquares squares({{2, 0.3}}), others({{2, 0.3}});
+  options.mostRetries = 0;
+  expectNotTried(squares);
+  options.mostRetries = {};
+  options.strictRules = true;
+  expectNotTried(others);
+}
+
+}  // namespace
+}  // namespace af2::geometry
