@@ -40,23 +40,37 @@ MeshingOptions optionsAlone(const MeshingOptions& options, const std::vector<int
   return alone;
 }
 
-/// By face: the largest of the smaller sizes with which it can be meshed alone.
-std::map<int, double> sizesThatWork(const MeshingOptions& options, std::vector<int> faces,
-                                    const MakeMesh& make) {
-  constexpr double kShares[] = {1. / 2, 1. / 4, 1. / 8};
+/// Those of the faces that can be meshed alone, by id, with a share of their sizes, and what these
+/// are then.
+std::map<int, double> sizesWith(double share, const std::vector<int>& faces,
+                                const MeshingOptions& options, const MakeMesh& make) {
+  MeshingOptions tried = optionsAlone(options, faces);
+  for (const int face : faces)
+    tried.sizes.faceSizes[face] = share * wantedOnFace(options.sizes, face);
   std::map<int, double> found;
-  for (const double share : kShares) {
-    std::erase_if(faces, [&](int face) {
-      return share * wantedOnFace(options.sizes, face) < options.sizes.minSize;
-    });
-    if (faces.empty() || options.stop.stop_requested()) break;
-    MeshingOptions tried = optionsAlone(options, faces);
+  for (const FaceReport& face : make(tried).faces)
+    if (face.status == FaceStatus::Complete) found[face.id] = tried.sizes.faceSizes.at(face.id);
+  return found;
+}
+
+/// By face: the largest of the smaller sizes with which it can be meshed alone. The middle is tried
+/// first, so that hopeless faces are tried twice only.
+std::map<int, double> sizesThatWork(const MeshingOptions& options, const std::vector<int>& faces,
+                                    const MakeMesh& make) {
+  constexpr double kMore = 1. / 2, kMiddle = 1. / 4, kLess = 1. / 8;
+  std::map<int, double> found;
+  const auto addThose = [&](double share, const auto& which) {
+    std::vector<int> tried;
     for (const int face : faces)
-      tried.sizes.faceSizes[face] = share * wantedOnFace(options.sizes, face);
-    for (const FaceReport& face : make(tried).faces)
-      if (face.status == FaceStatus::Complete) found[face.id] = tried.sizes.faceSizes.at(face.id);
-    std::erase_if(faces, [&](int face) { return found.contains(face); });
-  }
+      if (which(face) && share * wantedOnFace(options.sizes, face) >= options.sizes.minSize)
+        tried.push_back(face);
+    if (tried.empty() || options.stop.stop_requested()) return;
+    for (const auto& [face, size] : sizesWith(share, tried, options, make)) found[face] = size;
+  };
+  addThose(kMiddle, [](int) { return true; });
+  const std::map<int, double> inTheMiddle = found;
+  addThose(kLess, [&](int face) { return !inTheMiddle.contains(face); });
+  addThose(kMore, [&](int face) { return inTheMiddle.contains(face); });
   return found;
 }
 

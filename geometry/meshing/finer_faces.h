@@ -10,8 +10,8 @@
 namespace af2::geometry {
 
 /// Makes a mesh. If coarse faces fail in it and the model does not explain why, they are tried
-/// alone, with a half, a quarter and an eighth of their sizes; if some of them can be meshed so,
-/// the mesh is made again with these sizes, and kept if fewer faces fail. A note says so.
+/// alone, with a quarter and then a half or an eighth of their sizes; if some of them can be meshed
+/// so, the mesh is made again with these sizes, and kept if fewer faces fail. A note says so.
 ModelMesh meshFinerWhereFailed(const FaceSource& source, MeshingOptions options,
                                const std::function<ModelMesh(const MeshingOptions&)>& make);
 

@@ -72,22 +72,22 @@ TEST_F(FinerFaces, AreTriedAloneFirst) {
 
 TEST_F(FinerFaces, KeepTheirOwnSizesAsTheWhole) {
   FailingSquares squares({{2, 0.05}});
-  options.sizes.faceSizes = {{2, 0.08}};
+  options.sizes.faceSizes = {{2, 0.09}};
   mesh(squares);
-  EXPECT_EQ(squares.prepared.back().sizes.faceSizes, (std::map<int, double>{{2, 0.04}}));
+  EXPECT_EQ(squares.prepared.back().sizes.faceSizes, (std::map<int, double>{{2, 0.045}}));
 }
 
 TEST_F(FinerFaces, StayFailedIfNoSizeHelps) {
   FailingSquares squares({{2, 0.01}});
   const ModelMesh result = mesh(squares);
-  EXPECT_EQ(squares.prepared.size(), 4u);
+  EXPECT_EQ(squares.prepared.size(), 3u);
   EXPECT_EQ(failedFaces(result), 1u);
   EXPECT_EQ(result.faces[1].reason, "too coarse");
   EXPECT_EQ(result.notes.size(), 1u);
 }
 
 TEST_F(FinerFaces, AreNotTriedBelowTheSmallestSize) {
-  options.sizes.minSize = 0.6;
+  options.sizes.minSize = 0.3;
   FailingSquares squares({{2, 0.3}});
   expectNotTried(squares);
 }
