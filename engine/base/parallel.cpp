@@ -41,7 +41,10 @@ void runAll(std::size_t count, const std::function<void(std::size_t)>& work) {
   };
   const std::size_t threads = std::min(static_cast<std::size_t>(threadCount(0)), count);
   if (threads <= 1) return takeAll();
-  tbb::task_group group;
+  // Isolated: if work is called from work of another loop, an exception there must not leave out
+  // calls here, whose results the caller uses.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::task_group group(context);
   for (std::size_t i = 1; i < threads; ++i) group.run(takeAll);
   group.run_and_wait(takeAll);
 }

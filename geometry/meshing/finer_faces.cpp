@@ -1,13 +1,13 @@
 #include "geometry/meshing/finer_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/place_text.h"
+#include "geometry/check/sound_faces.h"
 
 namespace af2::geometry {
 namespace {
@@ -15,12 +15,12 @@ namespace {
 using MakeMesh = std::function<ModelMesh(const MeshingOptions&)>;
 
 /// Faces that failed although they are given few elements: fine ones fail for other reasons, and
-/// would take long.
+/// would take long. Of a model that is too small to be seen nothing is made.
 std::vector<int> coarseFailures(const FaceSource& source, const ModelMesh& mesh) {
   constexpr double kFewElements = 1000;
   std::vector<int> faces;
   for (const FaceReport& face : mesh.faces)
-    if (face.status == FaceStatus::Failed && !source.isExplained(face) &&
+    if (face.status == FaceStatus::Failed && !isInvisible(face) && !source.isExplained(face) &&
         source.workOn(face.id) < kFewElements)
       faces.push_back(face.id);
   return faces;
@@ -99,7 +99,7 @@ ModelMesh meshFinerWhereFailed(const FaceSource& source, MeshingOptions options,
   if (sizes.empty() || options.stop.stop_requested()) return mesh;
   for (const auto& [face, size] : sizes) options.sizes.faceSizes[face] = size;
   ModelMesh finer = make(options);
-  if (failedFaces(finer) >= failedFaces(mesh)) return mesh;
+  if (options.stop.stop_requested() || failedFaces(finer) >= failedFaces(mesh)) return mesh;
   finer.notes.push_back(noteOf(sizes));
   return finer;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -42,6 +43,27 @@ TEST(ForEachInParallel, PassesErrorsOn) {
   EXPECT_THROW(
       forEachInParallel(1, 2, [](std::size_t) { throw std::runtime_error("the only one"); }),
       std::runtime_error);
+}
+
+/// What is done for one face must not be half done because another one fails at the same time.
+TEST(ForEachInParallel, MakesAllCallsWithinOthersOfWhichOneFails) {
+  for (int turn = 0; turn < 20; ++turn) {
+    std::atomic<bool> isInside = false, hasFailed = false;
+    std::atomic<int> calls = 0;
+    const auto work = [&](std::size_t i) {
+      if (i == 0) {
+        while (!isInside) std::this_thread::yield();
+        hasFailed = true;
+        throw std::runtime_error("one failed");
+      }
+      isInside = true;
+      while (!hasFailed) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));  // until the other one has thrown
+      forEachInParallel(100, 0, [&](std::size_t) { ++calls; });
+    };
+    EXPECT_THROW(withThreads(2, [&] { forEachInParallel(2, 0, work); }), std::runtime_error);
+    EXPECT_EQ(calls, 100);
+  }
 }
 
 TEST(WithThreads, HoldsForWhatTheWorkDoesInParallel) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <stop_token>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "geometry/meshing/mesh_faces.h"
@@ -20,6 +22,7 @@ class FailingSquares final : public testing::Squares {
   explicit FailingSquares(std::map<int, double> limits) : Squares(3), limits_(std::move(limits)) {}
 
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override {
+    if (prepared.size() == stopIn) stop.request_stop();
     const auto limit = limits_.find(face);
     if (limit != limits_.end() && wantedOnFace(prepared.back().sizes, face) > limit->second)
       throw GeometryError("too coarse");
@@ -30,6 +33,8 @@ class FailingSquares final : public testing::Squares {
 
   bool areExplained = false;
   double work = 3;
+  std::size_t stopIn = 0;  ///< in which of the meshes that are made
+  mutable std::stop_source stop;
 
  private:
   std::map<int, double> limits_;
@@ -84,6 +89,19 @@ TEST_F(FinerFaces, StayFailedIfNoSizeHelps) {
   EXPECT_EQ(failedFaces(result), 1u);
   EXPECT_EQ(result.faces[1].reason, "too coarse");
   EXPECT_EQ(result.notes.size(), 1u);
+}
+
+/// The first mesh has more than one that is not finished.
+TEST_F(FinerFaces, LeaveTheFirstMeshIfTheRunIsStopped) {
+  for (const std::size_t stopIn : {2u, 3u, 4u}) {
+    FailingSquares squares({{2, 0.3}});
+    squares.stopIn = stopIn;
+    options.stop = squares.stop.get_token();
+    const ModelMesh result = mesh(squares);
+    EXPECT_EQ(squares.prepared.size(), stopIn);
+    EXPECT_EQ(failedFaces(result), 1u);
+    EXPECT_EQ(result.elements.size(), 4u);
+  }
 }
 
 TEST_F(FinerFaces, AreNotTriedBelowTheSmallestSize) {
