@@ -126,35 +126,6 @@ TEST(RegionSplit, KeepsTheAreaAndSharesCutEdges) {
   }
 }
 
-/// A disc of radius 1 whose sizes grow from its fine boundary, up to a tenth.
-struct FromTheRim final : SizeField {
-  static constexpr std::size_t kEdges = 8000;
-  double sizeAt(const SurfacePoint& p) const override {
-    const double atRim = 2 * std::numbers::pi / kEdges;
-    return std::clamp(atRim + .15 * (1 - std::hypot(p.position.x, p.position.y)), 0., .1);
-  }
-};
-
-TEST(RegionSplit, CountsTheElementsBesideAFineBoundary) {
-  FrontInput input;
-  addLoop(input, circle({0, 0}, 1, FromTheRim::kEdges));
-  const SplitRegion split = splitRegion(input, kPlane, FromTheRim(), {40'000});
-  const auto tools = [] {
-    return PieceTools{std::make_unique<FlatMaker>(), std::make_shared<FromTheRim>()};
-  };
-  ASSERT_GT(split.pieces.size(), 3u);
-  double expected = 0, made = 0;
-  for (const RegionPiece& piece : split.pieces) {
-    const RegionMesh mesh =
-        meshRegion(AF2Algorithm(triangleSet()), {piece.input, tools, nullptr, {}, false, 1}, {});
-    EXPECT_EQ(mesh.result.outcome, Outcome::Complete);
-    EXPECT_LT(mesh.result.mesh.elements.size(), 60'000u);
-    expected += piece.expectedElements;
-    made += static_cast<double>(mesh.result.mesh.elements.size());
-  }
-  EXPECT_NEAR(expected, made, .2 * made);
-}
-
 TEST(RegionSplit, TellsWhatEachCutDivides) {
   const FrontInput input = manyHoles();
   const SplitRegion split = splitRegion(input, kPlane, UniformSize(.1), {600});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "geometry/meshing/face_crew.h"
 #include "geometry/meshing/mesh_faces.h"
 #include "tests/geometry/meshing/squares.h"
 #include "tests/support/model_mesh.h"
@@ -73,6 +74,16 @@ TEST_F(FinerFaces, AreTriedAloneFirst) {
   std::vector<std::vector<int>> asked;
   for (const MeshingOptions& prepared : squares.prepared) asked.push_back(prepared.faces);
   EXPECT_EQ(asked, (std::vector<std::vector<int>>{{}, {2}, {2}, {}}));
+}
+
+/// Those that mesh faces for the leader of a crew.
+TEST_F(FinerFaces, AreKnownToOtherProcesses) {
+  MeshingOptions changed = options;
+  changed.faces = {2};
+  changed.sizes.faceSizes = {{2, 0.25}};
+  const MeshingOptions known = withChange(options, changeOf(changed));
+  EXPECT_EQ(known.faces, changed.faces);
+  EXPECT_EQ(known.sizes.faceSizes, changed.sizes.faceSizes);
 }
 
 TEST_F(FinerFaces, KeepTheirOwnSizesAsTheWhole) {
