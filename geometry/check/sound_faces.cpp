@@ -20,9 +20,6 @@ bool isOneOf(const std::vector<int>& sorted, int id) {
   return std::ranges::binary_search(sorted, id);
 }
 
-constexpr const char* kInvisible =
-    "no part of the model is visible at this size; ask for a smaller one";
-
 /// A face without width needs no elements if other faces have some. If no face has any, the size is
 /// far too large, or the model is empty.
 void failFacesWithoutElements(ModelMesh& mesh) {
@@ -30,15 +27,12 @@ void failFacesWithoutElements(ModelMesh& mesh) {
     if (face.status != FaceStatus::Complete) continue;
     face.status = FaceStatus::Failed;
     face.reason += (face.reason.empty() ? "" : "; ");
-    face.reason += kInvisible;
+    face.reason += "no part of the model is visible at this size; ask for a smaller one";
+    face.cause = FailureCause::Size;
   }
 }
 
 }  // namespace
-
-bool isInvisible(const FaceReport& face) {
-  return face.status == FaceStatus::Failed && face.reason.ends_with(kInvisible);
-}
 
 void dropElements(ModelMesh& mesh, const std::vector<int>& faces) {
   if (mesh.spooled) return dropSpooledFaces(mesh, faces);

@@ -30,9 +30,6 @@ AF2_EXPORT MeshFaults faultsOf(const ModelMesh& mesh, bool mayCross, int threads
 /// findings that concern the mesh as a whole.
 AF2_EXPORT std::vector<std::string> keepSoundFaces(ModelMesh& mesh, const MeshFaults& faults);
 
-/// Whether a face became Failed there because nothing of the model is visible at its size.
-bool isInvisible(const FaceReport& face);
-
 /// Removes the elements of `faces` (ids in ascending order) and the vertices that no element uses
 /// then. The rest keeps its order.
 AF2_EXPORT void dropElements(ModelMesh& mesh, const std::vector<int>& faces);

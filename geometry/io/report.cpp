@@ -59,6 +59,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["area"] = face.area;
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;
+  if (face.cause != FailureCause::Unknown) json["cause"] = toString(face.cause);
   if (face.withoutRule.total() > 0) json["without_rule"] = toJson(face.withoutRule);
   if (face.acts != FrontActCounts{}) json["acts"] = toJson(face.acts);
   for (const LayersAlongEdge& along : face.layers) json["layers"].push_back(toJson(along));
@@ -189,6 +190,18 @@ const char* toString(FaceStatus status) {
       return "skipped";
   }
   return "failed";
+}
+
+const char* toString(FailureCause cause) {
+  switch (cause) {
+    case FailureCause::Unknown:
+      return "";
+    case FailureCause::Model:
+      return "model";
+    case FailureCause::Size:
+      return "size";
+  }
+  return "";
 }
 
 RunStatus statusOf(const ModelMesh& mesh) {

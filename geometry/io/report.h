@@ -22,6 +22,8 @@ enum class RunStatus {
 
 AF2_EXPORT const char* toString(RunStatus status);
 AF2_EXPORT const char* toString(FaceStatus status);
+/// "model" or "size"; empty if it is not known.
+AF2_EXPORT const char* toString(FailureCause cause);
 
 /// The status of a run, from the statuses of its faces; Failed if there are none.
 AF2_EXPORT RunStatus statusOf(const ModelMesh& mesh);

@@ -29,6 +29,13 @@ class SpooledMesh;
 
 enum class FaceStatus { Complete, Failed, Cancelled, Skipped };
 
+/// What is at fault where a face failed, as far as it was found out.
+enum class FailureCause {
+  Unknown,
+  Model,  ///< the model itself, so that no sizes help
+  Size,   ///< nothing of the model is visible at this size
+};
+
 /// An edge of a front that got stuck.
 struct StuckPlace {
   Point3 from, to;
@@ -49,8 +56,9 @@ struct FaceReport {
   FaceStatus status = FaceStatus::Complete;
   std::size_t elements = 0;
   double seconds = 0;
-  double area = 0;                           ///< of the CAD face, model units squared
-  std::string reason;                        ///< where and why, when it failed
+  double area = 0;     ///< of the CAD face, model units squared
+  std::string reason;  ///< where and why, when it failed
+  FailureCause cause = FailureCause::Unknown;
   std::vector<std::string> attempts = {};    ///< unsuccessful attempts
   std::vector<StuckPlace> stuck = {};        ///< where its front got stuck, if it did
   WithoutRuleCounts withoutRule = {};        ///< or in the places of such elements

@@ -98,8 +98,6 @@ class FaceSource {
   virtual bool hasFaultInModel(int) const { return false; }
   /// Whether a face meets others in the model itself, where its elements cross theirs.
   virtual bool meetsOthers(int, const std::vector<Crossing>&) const { return false; }
-  /// Whether the reason why a face failed says what is wrong with it in the model.
-  virtual bool isExplained(const FaceReport&) const { return false; }
   /// Whether elements may cross even though each face is filled correctly.
   virtual bool mayCross() const { return true; }
   /// Factor for the candidates that retries may use, because charts differ in their cost.

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/base/place_text.h"
-#include "geometry/check/sound_faces.h"
 
 namespace af2::geometry {
 namespace {
@@ -15,12 +14,12 @@ namespace {
 using MakeMesh = std::function<ModelMesh(const MeshingOptions&)>;
 
 /// Faces that failed although they are given few elements: fine ones fail for other reasons, and
-/// would take long. Of a model that is too small to be seen nothing is made.
+/// would take long.
 std::vector<int> coarseFailures(const FaceSource& source, const ModelMesh& mesh) {
   constexpr double kFewElements = 1000;
   std::vector<int> faces;
   for (const FaceReport& face : mesh.faces)
-    if (face.status == FaceStatus::Failed && !isInvisible(face) && !source.isExplained(face) &&
+    if (face.status == FaceStatus::Failed && face.cause == FailureCause::Unknown &&
         source.workOn(face.id) < kFewElements)
       faces.push_back(face.id);
   return faces;

@@ -52,6 +52,7 @@ class FaceReport:
     seconds: float
     area: float
     reason: str
+    cause: str
     attempts: List[str]
     stuck: List[StuckPlace]
     without_rule: Dict[str, int]

@@ -69,6 +69,8 @@ void bindFaces(py::module_& module) {
       .def_readonly("seconds", &FaceReport::seconds)
       .def_readonly("area", &FaceReport::area)
       .def_readonly("reason", &FaceReport::reason)
+      .def_property_readonly("cause",
+                             [](const FaceReport& f) { return std::string(toString(f.cause)); })
       .def_readonly("attempts", &FaceReport::attempts)
       .def_readonly("stuck", &FaceReport::stuck)
       .def_property_readonly("without_rule",

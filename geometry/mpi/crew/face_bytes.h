@@ -24,11 +24,12 @@ void pass(auto& archive, mpi::Is<StuckPlace> auto& place) {
 }
 
 void pass(auto& archive, mpi::Is<FaceReport> auto& report) {
-  auto& [id, name, surfaceType, chart, status, elements, seconds, area, reason, attempts, stuck,
-         withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle, deviation] =
-      report;
-  archive(id, name, surfaceType, chart, status, elements, seconds, area, reason, attempts, stuck,
-          withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle, deviation);
+  auto& [id, name, surfaceType, chart, status, elements, seconds, area, reason, cause, attempts,
+         stuck, withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle,
+         deviation] = report;
+  archive(id, name, surfaceType, chart, status, elements, seconds, area, reason, cause, attempts,
+          stuck, withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle,
+          deviation);
 }
 
 void pass(auto& archive, mpi::Is<FillFault> auto& fault) {

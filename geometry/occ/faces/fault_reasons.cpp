@@ -57,6 +57,10 @@ std::string needleTipOf(const FaceSurface& surface) {
   return "";
 }
 
+bool isUnexplained(const FaceReport& face) {
+  return face.status == FaceStatus::Failed && face.cause == FailureCause::Unknown;
+}
+
 std::string turnedEdgeOf(const ModelShape& model, int face,
                          const std::map<int, std::vector<EdgeSide>>& sides) {
   for (const EdgeUse& use : model.edgesOfFaces[static_cast<std::size_t>(face) - 1]) {
@@ -74,15 +78,15 @@ std::string turnedEdgeOf(const ModelShape& model, int face,
 
 }  // namespace
 
-bool isUnexplained(const FaceReport& face) {
-  return face.status == FaceStatus::Failed &&
-         face.reason.find("in the model itself") == std::string::npos;
-}
-
 std::string faultOf(const ModelShape& model, int face, double size) {
   if (const auto crossed = crossedEdges(model, face)) return textOf(*crossed);
   if (const auto fault = surfaceFault(model, face, size)) return textOf(*fault);
   return "";
+}
+
+void blameModel(const std::string& fault, FaceReport& face) {
+  face.reason += "; " + fault;
+  face.cause = FailureCause::Model;
 }
 
 void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {
@@ -100,7 +104,7 @@ void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {
     if (isPoor && cause.empty()) cause = needleTipOf(model.surface(face.id));
     if (cause.empty()) continue;
     if (isFailed)
-      face.reason += "; " + cause;
+      blameModel(cause, face);
     else
       mesh.notes.push_back("face " + std::to_string(face.id) +
                            " has angles below half a degree: " + cause);
@@ -113,7 +117,7 @@ void tellOfTurnedEdges(const ModelShape& model, std::vector<FaceReport>& faces) 
   for (FaceReport& face : faces) {
     if (!isUnexplained(face)) continue;
     if (const std::string turned = turnedEdgeOf(model, face.id, sides); !turned.empty())
-      face.reason += "; " + turned;
+      blameModel(turned, face);
   }
 }
 

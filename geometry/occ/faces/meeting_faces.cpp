@@ -19,6 +19,7 @@
 
 #include "engine/base/place_text.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/faces/fault_reasons.h"
 
 namespace af2::geometry {
 namespace {
@@ -196,7 +197,7 @@ void tellOfMeetingFaces(const ModelShape& model, const std::vector<Crossing>& cr
     if (face.status != FaceStatus::Failed || reported == kMaxReported) continue;
     const std::string meeting = meetingOf(model, face.id, crossings, size);
     if (meeting.empty()) continue;
-    face.reason += "; " + meeting;
+    blameModel(meeting, face);
     ++reported;
   }
 }

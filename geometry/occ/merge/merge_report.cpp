@@ -97,6 +97,7 @@ void MergedFaces::spreadReports(ModelMesh& mesh) const {
       report.status = of->status;
       report.chart = of->chart;
       report.reason.clear();
+      report.cause = of->cause;
       if (report.status == FaceStatus::Failed) report.reason = of->reason;
       report.attempts = {"meshed together with face " + std::to_string(first)};
     }

@@ -169,8 +169,6 @@ bool CadFaces::meetsOthers(int face, const std::vector<Crossing>& crossings) con
   return !meetingOf(*shape_, face, crossings, sizes_.size).empty();
 }
 
-bool CadFaces::isExplained(const FaceReport& face) const { return !isUnexplained(face); }
-
 void CadFaces::complete(const MeshFaults& faults, ModelMesh& mesh) const {
   mesh.unit = model_.unit();
   mesh.fileUnit = model_.fileUnit();

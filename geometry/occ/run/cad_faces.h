@@ -44,7 +44,6 @@ class CadFaces : public FaceSource {
                                          const std::vector<SizeSource>& places) const override;
   /// With elements for turns, these sizes are spread already.
   std::vector<SizeSource> sizesInside(int face) const override;
-  bool isExplained(const FaceReport& face) const override;
   bool hasFaultInModel(int face) const override;
   bool meetsOthers(int face, const std::vector<Crossing>& crossings) const override;
   void complete(const MeshFaults& faults, ModelMesh& mesh) const override;

@@ -52,6 +52,7 @@ TEST(KeepSoundFaces, FailsAllFacesIfThereAreNoElements) {
   for (const FaceReport& face : mesh.faces) {
     EXPECT_EQ(face.status, FaceStatus::Failed);
     EXPECT_NE(face.reason.find("smaller"), std::string::npos);
+    EXPECT_EQ(face.cause, FailureCause::Size);
   }
 }
 

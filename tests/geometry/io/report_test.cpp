@@ -56,6 +56,9 @@ TEST(Report, TellsOfEachFace) {
   EXPECT_EQ(json["faces"][1]["surface_type"], "plane");
   EXPECT_EQ(json["faces"][1]["status"], "failed");
   EXPECT_EQ(json["faces"][1]["reason"], "stuck");
+  EXPECT_FALSE(json["faces"][1].contains("cause"));
+  mesh.faces[1].cause = FailureCause::Model;
+  EXPECT_EQ(written(complete(), mesh)["faces"][1]["cause"], "model");
   EXPECT_EQ(json["faces"][5]["name"], "lid");
 }
 

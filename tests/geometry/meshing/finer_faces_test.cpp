@@ -29,10 +29,14 @@ class FailingSquares final : public testing::Squares {
       throw GeometryError("too coarse");
     Squares::fill(face, request, mesh);
   }
-  bool isExplained(const FaceReport&) const override { return areExplained; }
+  void complete(const MeshFaults& faults, ModelMesh& mesh) const override {
+    Squares::complete(faults, mesh);
+    for (FaceReport& face : mesh.faces)
+      if (face.status == FaceStatus::Failed) face.cause = cause;
+  }
   double workOn(int) const override { return work; }
 
-  bool areExplained = false;
+  FailureCause cause = FailureCause::Unknown;
   double work = 3;
   std::size_t stopIn = 0;  ///< in which of the meshes that are made
   mutable std::stop_source stop;
@@ -121,10 +125,12 @@ TEST_F(FinerFaces, AreNotTriedBelowTheSmallestSize) {
   expectNotTried(squares);
 }
 
-TEST_F(FinerFaces, AreNotTriedWhereTheModelIsAtFault) {
-  FailingSquares squares({{2, 0.3}});
-  squares.areExplained = true;
-  expectNotTried(squares);
+TEST_F(FinerFaces, AreNotTriedIfTheCauseIsKnown) {
+  for (const FailureCause cause : {FailureCause::Model, FailureCause::Size}) {
+    FailingSquares squares({{2, 0.3}});
+    squares.cause = cause;
+    expectNotTried(squares);
+  }
 }
 
 TEST_F(FinerFaces, AreNotTriedIfTheyAreFineAlready) {

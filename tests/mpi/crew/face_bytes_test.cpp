@@ -26,6 +26,7 @@ geometry::FaceMesh someMesh() {
   mesh.report.stuck[0].around.chains = {{0, 1}, {2}};
   mesh.report.stuck[0].around.colours = {{1, true}};
   mesh.report.deviation = 0.125;
+  mesh.report.cause = geometry::FailureCause::Model;
   mesh.boundary = {3, 1, 2};
   mesh.inside = {{0.1, -0.0, 1e-300}};
   mesh.elements = {{{VertexId(0), VertexId(1), VertexId(2), VertexId()}}};
@@ -43,6 +44,7 @@ TEST(FaceBytes, GiveTheSameMeshBackBitForBit) {
   EXPECT_EQ(copy.report.stuck[0].refusals, mesh.report.stuck[0].refusals);
   EXPECT_EQ(copy.report.stuck[0].around.chains, mesh.report.stuck[0].around.chains);
   EXPECT_EQ(copy.report.deviation, 0.125);
+  EXPECT_EQ(copy.report.cause, geometry::FailureCause::Model);
   EXPECT_EQ(copy.inside, mesh.inside);
   EXPECT_TRUE(std::signbit(copy.inside[0].y));
   EXPECT_EQ(copy.elements, mesh.elements);

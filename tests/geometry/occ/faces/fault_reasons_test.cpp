@@ -38,9 +38,11 @@ TEST(TurnedEdges, AreToldOfAtFacesThatFailed) {
   std::vector<FaceReport> faces = sixFailed();
   tellOfTurnedEdges(boxWithTurned(2).shape(), faces);
   EXPECT_EQ(faces[0].reason, "stuck");  // opposite: no edge in common
+  EXPECT_EQ(faces[0].cause, FailureCause::Unknown);
   EXPECT_NE(faces[1].reason.find("stuck; in the model itself it runs along edge "),
             std::string::npos)
       << faces[1].reason;
+  EXPECT_EQ(faces[1].cause, FailureCause::Model);
   for (std::size_t i = 2; i < 6; ++i)
     EXPECT_NE(faces[i].reason.find("in the same direction as face 2:"), std::string::npos)
         << faces[i].reason;

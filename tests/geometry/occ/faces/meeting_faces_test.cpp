@@ -82,6 +82,7 @@ TEST(MeetingFaces, AreToldOfFacesThatFailed) {
   EXPECT_TRUE(faces[0].reason.empty());
   EXPECT_TRUE(faces[1].reason.starts_with("elements cross; in the model itself it meets face 1"))
       << faces[1].reason;
+  EXPECT_EQ(faces[1].cause, FailureCause::Model);
 }
 
 /// Four walls in a row, of which the last one passes through the first one.

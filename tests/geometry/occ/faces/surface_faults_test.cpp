@@ -184,6 +184,7 @@ TEST(SurfaceFault, IsToldOfFacesThatFailed) {
   tellOfFaults(model.shape(), 0.5, mesh);
   EXPECT_TRUE(mesh.faces[0].reason.starts_with("stuck; in the model itself its surface crosses"))
       << mesh.faces[0].reason;
+  EXPECT_EQ(mesh.faces[0].cause, FailureCause::Model);
   EXPECT_TRUE(mesh.notes.empty());
 }
 
