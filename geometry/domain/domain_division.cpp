@@ -107,14 +107,13 @@ class Division {
 
   Samples sampled(std::size_t c, double perSize) const {
     const DomainCurve& curve = model_.curves[c];
+    const Knots knots = knotsOf(curve);
     Samples samples;
-    Point3 from = curve.pointAt(curve.knots[0]);
-    double fromSize = wantedAt(c, from);
+    double fromSize = wantedAt(c, knots.points[0]);
     add(curve.knots[0], 0, fromSize, samples);
     for (std::size_t k = 1; k < curve.knots.size(); ++k) {
-      const Point3 to = curve.pointAt(curve.knots[k]);
-      const double length = distance(from, to), toSize = limitedByTurn(c, k, wantedAt(c, to));
-      const double start = samples.curve.arcLength.back();
+      const double start = knots.arcLength[k - 1], length = knots.arcLength[k] - start;
+      const double toSize = limitedByTurn(knots, k, wantedAt(c, knots.points[k]));
       const std::size_t cells = cellsFor(perSize * length / std::min(fromSize, toSize), samples);
       for (std::size_t i = 1; i <= cells; ++i) {
         const double within = static_cast<double>(i) / static_cast<double>(cells);
@@ -122,7 +121,6 @@ class Division {
         add(i == cells ? curve.knots[k] : t, start + within * length,
             i == cells ? toSize : wantedAt(c, curve.pointAt(t)), samples);
       }
-      from = to;
       fromSize = toSize;
     }
     return samples;
@@ -142,12 +140,30 @@ class Division {
     return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));
   }
 
-  /// At a knot the curve may turn.
-  double limitedByTurn(std::size_t c, std::size_t knot, double size) const {
-    const DomainCurve& curve = model_.curves[c];
-    if (knot + 1 >= curve.knots.size()) return size;
-    const Point3 p = curve.pointAt(curve.knots[knot - 1]), q = curve.pointAt(curve.knots[knot]),
-                 r = curve.pointAt(curve.knots[knot + 1]);
+  struct Knots {
+    std::vector<Point3> points;
+    std::vector<double> arcLength;
+  };
+  static Knots knotsOf(const DomainCurve& curve) {
+    Knots knots{{curve.pointAt(curve.knots[0])}, {0}};
+    for (std::size_t k = 1; k < curve.knots.size(); ++k) {
+      knots.points.push_back(curve.pointAt(curve.knots[k]));
+      knots.arcLength.push_back(knots.arcLength.back() +
+                                distance(knots.points[k - 1], knots.points[k]));
+    }
+    return knots;
+  }
+
+  /// At a knot the curve may turn. What turns back within the least size at turns is noise.
+  double limitedByTurn(const Knots& knots, std::size_t k, double size) const {
+    const auto& [points, along] = knots;
+    if (k + 1 >= points.size()) return size;
+    const double reach = sizes_.byPosition.leastAtTurns(model_.leastAtTurns);
+    const auto at = along.begin() + static_cast<std::ptrdiff_t>(k);
+    const auto after = std::lower_bound(at + 1, along.end() - 1, *at + reach);
+    const auto before = std::upper_bound(along.begin() + 1, at, *at - reach) - 1;
+    const Point3 &p = points[static_cast<std::size_t>(before - along.begin())], &q = points[k],
+                 &r = points[static_cast<std::size_t>(after - along.begin())];
     const double turn = distance(unit(q - p), unit(r - q));
     if (turn == 0) return size;
     const double radius = (distance(p, q) + distance(q, r)) / 2 / turn;

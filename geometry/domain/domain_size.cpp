@@ -22,16 +22,18 @@ double DomainSize::at(const Point3& position, double size) const {
   return bounded(size);
 }
 
+double DomainSize::leastAtTurns(double gentleLeast) const {
+  return asked_->elementsPerTurn > 0 ? leastForLimits(asked_->size, asked_->minSize)
+                                     : gentleLeast * asked_->size;
+}
+
 double DomainSize::turnLimit(double radius, double gentleLeast) const {
-  const bool isAsked = asked_->elementsPerTurn > 0;
-  const double least =
-      isAsked ? leastForLimits(asked_->size, asked_->minSize) : gentleLeast * asked_->size;
   const ChordBound& chord = asked_->chords.everywhere;
   double height = chord.isShareOfSize ? chord.value * asked_->size : chord.value;
   double aim = 1;
   for (const auto& [face, ofFace] : asked_->chords.aims) aim = std::min(aim, ofFace);
   height *= aim;
-  const double limit = std::max(limitOfTurn() * radius, least);
+  const double limit = std::max(limitOfTurn() * radius, leastAtTurns(gentleLeast));
   return chord.isGiven() ? std::min(limit, longestChord(radius, height)) : limit;
 }
 

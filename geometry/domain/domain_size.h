@@ -21,8 +21,11 @@ class AF2_EXPORT DomainSize {
   double at(const Point3& position, double size) const;
   /// Whether sizes vary with the position.
   bool isVaried() const { return function_ || sources_; }
+  /// The least size at turns: `gentleLeast` times the wanted size, or with `elementsPerTurn` the
+  /// least of all sizes.
+  double leastAtTurns(double gentleLeast) const;
   /// The largest edge length where a surface or a curve has the radius of curvature `radius`.
-  /// Without `elementsPerTurn` this is at least `gentleLeast` times the wanted size.
+  /// At least `leastAtTurns`.
   double turnLimit(double radius, double gentleLeast) const;
   /// The largest angle, in radians, by which a segment may turn, if `elementsPerTurn` is given;
   /// else 0.

@@ -40,10 +40,11 @@ struct PatchedFacets {
 struct FeatureLimits {
   double angle = 0;     ///< in radians: edges where the surface turns by more are features
   double looseEnd = 0;  ///< minimum length of a curve with the same patch on both sides
-  /// Patches smaller than this are merged with those around them; so are patches narrower than a
-  /// fiftieth of this, or next to a crease in a rounding, narrower than twice this. A turn of a
-  /// curve that is reversed within this length is no corner. Where the surface is rough, 0.7 times
-  /// the wanted size is used instead.
+  /// Patches smaller than this are merged with one of those around them; so are patches narrower
+  /// than a fiftieth of this; or a fifth, if they are shorter than a loose end or not the rim
+  /// of a thin wall; or next to a crease in a rounding, narrower than twice this. A turn of a curve
+  /// that is reversed within this length is no corner. Where the surface is rough, 0.7 times the
+  /// wanted size is used instead.
   double speck = 0;
   /// Wanted size of elements by position: far smaller roundings become edges, and roughness on a
   /// smaller scale counts as noise; none: neither.
