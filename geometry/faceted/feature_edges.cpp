@@ -13,6 +13,11 @@
 #include "geometry/faceted/flats.h"
 
 namespace af2::geometry {
+namespace {
+
+constexpr double kFold = 0.2;  // of a speck: triangulations of smooth surfaces have folds so wide
+
+}  // namespace
 
 FeatureEdges::FeatureEdges(const Facets& facets, const FacetDirections& directions,
                            const FeatureLimits& limits, const std::set<FacetEdge>& forced)
@@ -84,9 +89,13 @@ void FeatureEdges::findSpecks() {
 /// Next to a triangle without area, the angle is unknown.
 bool FeatureEdges::isFeature(HalfEdge g, HalfEdge h) const {
   if (forced_.contains(edgeOf(g))) return true;
-  if (!facets_.group.empty() && facets_.group[g / 3] != facets_.group[h / 3]) return true;
+  if (!areOfOnePart(g, h)) return true;
   const Point3 &m = normals_[g / 3], &n = normals_[h / 3];
   return m != Point3{} && n != Point3{} && angleBetween(m, n) > limits_.angle;
+}
+
+bool FeatureEdges::areOfOnePart(HalfEdge g, HalfEdge h) const {
+  return facets_.group.empty() || facets_.group[g / 3] == facets_.group[h / 3];
 }
 
 void FeatureEdges::smooth(HalfEdge h) {
@@ -155,17 +164,18 @@ std::vector<bool> FeatureEdges::findOnOneSide() const {
 }
 
 /// Patches without width, as rounding leaves them along edges; what is as short as a loose end, or
-/// no rim, may be wider, since triangulations have such folds. Edges in roundings do not justify a
+/// no rim, may be a fold. Edges in roundings do not justify a
 /// patch that is narrow compared with the elements.
 bool FeatureEdges::dropSlivers() {
-  constexpr double kWidth = 0.02, kOfFold = 0.2, kBesideCrease = 2;  // of a speck
+  constexpr double kWidth = 0.02, kBesideCrease = 2;  // of a speck
   const std::vector<bool> isOnOneSide = findOnOneSide();
   const std::vector<Extent> extents = extentsOfPatches();
   return mergeWithOthers([&](HalfEdge h) {
     const std::size_t p = patchOf_[h / 3];
     const auto& [perimeter, area, across] = extents[p];
-    const bool mayBeFold = across < limits_.looseEnd || isOnOneSide[p];
-    const double share = isCrease_[h] ? kBesideCrease : (mayBeFold ? kOfFold : kWidth);
+    const bool mayBeFold =
+        areOfOnePart(h, partner_[h]) && (across < limits_.looseEnd || isOnOneSide[p]);
+    const double share = isCrease_[h] ? kBesideCrease : (mayBeFold ? kFold : kWidth);
     return 2 * area < share * limits_.speck * perimeter;
   });
 }
@@ -212,21 +222,46 @@ void FeatureEdges::lookAcross(const std::vector<HalfEdge>& borders) {
       if (twin_[h] != kNoHalfEdge) reach(twin_[h] / 3, normals_[reached[i]]);
 }
 
-/// Triangles far too small to be seen in which the border of a patch turns back are moved to the
+/// By vertex: how many feature edges meet there.
+std::vector<int> FeatureEdges::countAround() const {
+  std::vector<int> counts(facets_.vertices.size(), 0);
+  for (HalfEdge h = 0; h < twin_.size(); ++h)
+    if (twin_[h] == kNoHalfEdge && h < partner_[h]) {
+      ++counts[startOf(facets_.triangles, h)];
+      ++counts[endOf(facets_.triangles, h)];
+    }
+  return counts;
+}
+
+/// The feature edges before and after a side of a triangle that is none, around the patch on the
 /// other side of it.
+std::pair<HalfEdge, HalfEdge> FeatureEdges::besideAcross(HalfEdge side) const {
+  HalfEdge before = side, after = side;
+  while (twin_[before] != kNoHalfEdge) before = previousIn(twin_[before]);
+  while (twin_[after] != kNoHalfEdge) after = nextIn(twin_[after]);
+  return {before, after};
+}
+
+/// Triangles too narrow to be seen in which the border of a patch turns back are moved to the other
+/// side of it. Where it turns back anyway, the patch has a tip, which stays.
 bool FeatureEdges::dropSpikes() {
-  constexpr double kSharp = 30 * kDegree;
+  constexpr double kTurnsBack = 150 * kDegree;
+  const std::vector<int> around = countAround();
+  const auto along = [&](HalfEdge h) { return startAt(nextIn(h)) - startAt(h); };
   bool isAny = false;
   for (HalfEdge h = 0; h < twin_.size(); ++h) {
     const HalfEdge next = nextIn(h), third = previousIn(h);
     if (!mayVanish(h) || !mayVanish(next) || twin_[third] == kNoHalfEdge) continue;
     const std::size_t own = patchOf_[h / 3], other = patchOf_[partner_[h] / 3];
-    const double speck = speckAt_[startOf(facets_.triangles, next)];
-    const Point3& tip = startAt(next);
     if (own == other || patchOf_[partner_[next] / 3] != other ||
-        areaOf(facets_, h / 3) >= speck * speck ||
-        angleBetween(startAt(h) - tip, startAt(third) - tip) >= kSharp)
+        around[startOf(facets_.triangles, next)] != 2)
       continue;
+    const double longest = std::max(length(along(h)), length(along(next)));
+    if (2 * areaOf(facets_, h / 3) >= kFold * limits_.speck * longest ||
+        angleBetween(along(h), along(next)) <= kTurnsBack)
+      continue;
+    const auto [before, after] = besideAcross(third);
+    if (angleBetween(along(before), along(after)) > kTurnsBack) continue;  // the tip of a patch
     twin_[twin_[third]] = kNoHalfEdge;
     twin_[third] = kNoHalfEdge;
     smooth(h);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "geometry/faceted/feature_curves.h"
@@ -42,6 +43,7 @@ class FeatureEdges {
   const Point3& startAt(HalfEdge h) const { return at(startOf(facets_.triangles, h)); }
   bool isForced(HalfEdge h) const;
   bool mayVanish(HalfEdge h) const { return twin_[h] == kNoHalfEdge && !isForced(h); }
+  bool areOfOnePart(HalfEdge g, HalfEdge h) const;
   bool isFeature(HalfEdge g, HalfEdge h) const;
   void smooth(HalfEdge h);
   void findTwins();
@@ -51,6 +53,8 @@ class FeatureEdges {
   bool dropSpecks();
   std::vector<bool> findOnOneSide() const;
   bool dropSlivers();
+  std::vector<int> countAround() const;
+  std::pair<HalfEdge, HalfEdge> besideAcross(HalfEdge side) const;
   bool dropSpikes();
   template <class IsMerged>
   bool mergeWithOthers(const IsMerged& isMerged);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "geometry/faceted/patches.h"
@@ -63,6 +63,27 @@ TEST(FeatureEdges, AreNoneAroundSliversThatAreLongerThanASpeck) {
   EXPECT_EQ(patchesOf({0.5, 0.4, 0.2}), 4u) << "too large";
 }
 
+TEST(FeatureEdges, AreKeptAroundNarrowParts) {
+  Facets facets = wedge({{0.4, 0.2, 0.01}});
+  facets.groupNames = {"notch", "sheets"};
+  facets.group.assign(facets.triangles.size(), 1);
+  facets.group[0] = facets.group[1] = 0;
+  EXPECT_EQ(findPatches(std::move(facets), testing::limitsFor(1)).patches.size(), 3u);
+}
+
+/// Both long sides of the rim of a thin wall are edges.
+TEST(FeatureEdges, AreKeptAroundRims) {
+  const auto rim = [](double width) {
+    Facets facets = testing::grid(1, 3, testing::Closed::InNeither, [&](auto i, auto j) {
+      const double y = j == 0 || j == 3 ? 1 : 0;
+      return Point3{1.0 * i, j < 2 ? 0 : width, y};
+    });
+    return findPatches(std::move(facets), testing::limitsFor(1)).patches.size();
+  };
+  EXPECT_EQ(rim(0.004), 3u);
+  EXPECT_EQ(rim(0.0001), 2u) << "too thin even for a rim";
+}
+
 TEST(FeatureEdges, GiveTrianglesThatDoNotCountTheNormalsBesideThem) {
   const PatchedFacets patched = findPatches(wedge({{0.5, 0.01, 0.01}}), testing::limitsFor(1));
   for (const Patch& patch : patched.patches)
@@ -79,28 +100,18 @@ TEST(FeatureEdges, AreKeptWhereAMeshShowsNoneOfTheNoiseBesideThem) {
   EXPECT_GT(measureQuality(mesh).min, 0.5);
 }
 
-/// A sheet of two parts, the border of which has a spike: its middle triangle is of the lower part.
-Facets spike(double width, double height) {
+/// A sheet of two parts. Their border goes along the x axis to `from`, from there to the tip of a
+/// triangle of the lower part, from there to `to`, and on along the axis.
+bool hasTip(double from, double to, const Point3& tip) {
+  constexpr std::uint32_t kTip = 4;
   Facets facets;
-  facets.vertices = {{0, 0, 0},
-                     {0.5 - width / 2, 0, 0},
-                     {0.5 + width / 2, 0, 0},
-                     {1, 0, 0},
-                     {0.5, height, 0},
-                     {0, -1, 0},
-                     {1, -1, 0},
-                     {0, 1, 0},
-                     {1, 1, 0}};
+  facets.vertices = {{0, 0, 0},  {from, 0, 0}, {to, 0, 0}, {1, 0, 0}, tip,
+                     {0, -1, 0}, {1, -1, 0},   {0, 1, 0},  {1, 1, 0}};
   facets.triangles = {{5, 1, 0}, {5, 2, 1}, {5, 6, 2}, {6, 3, 2}, {1, 2, 4},
-                      {0, 1, 7}, {1, 4, 7}, {4, 8, 7}, {4, 2, 8}, {2, 3, 8}};
+                      {0, 1, 4}, {0, 4, 7}, {4, 8, 7}, {4, 2, 8}, {2, 3, 8}};
   facets.group = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1};
   facets.groupNames = {"lower", "upper"};
-  return facets;
-}
-
-bool hasSpike(double width, double height) {
-  constexpr std::uint32_t kTip = 4;
-  const PatchedFacets patched = findPatches(spike(width, height), testing::limitsFor(1));
+  const PatchedFacets patched = findPatches(std::move(facets), testing::limitsFor(1));
   EXPECT_EQ(patched.patches.size(), 2u);
   return std::ranges::any_of(patched.curves, [=](const FeatureCurve& curve) {
     return std::ranges::find(curve, kTip) != curve.end();
@@ -108,9 +119,24 @@ bool hasSpike(double width, double height) {
 }
 
 TEST(FeatureEdges, DoNotTurnBackWithinWhatCannotBeSeen) {
-  EXPECT_FALSE(hasSpike(0.01, 0.1));
-  EXPECT_TRUE(hasSpike(0.1, 0.5)) << "it can be seen";
-  EXPECT_TRUE(hasSpike(0.05, 0.02)) << "it is blunt";
+  EXPECT_FALSE(hasTip(0.5, 0.55, {0.47, 0.002, 0}));
+  EXPECT_FALSE(hasTip(0.5, 0.508, {0.504, 0.1, 0}));
+  EXPECT_TRUE(hasTip(0.5, 0.54, {0.52, 0.1, 0})) << "it can be seen";
+  EXPECT_TRUE(hasTip(0.5, 0.55, {0.5, 0.0005, 0})) << "it is blunt";
+}
+
+/// A part in a sheet that is narrow throughout, and that ends in a tip.
+TEST(FeatureEdges, TurnBackAtTheTipsOfPatches) {
+  Facets facets;
+  facets.vertices = {{0, 0, 0},  {0.1, -0.004, 0}, {0.1, 0.004, 0}, {1, -0.04, 0}, {1, 0.04, 0},
+                     {0, -1, 0}, {1, -1, 0},       {0, 1, 0},       {1, 1, 0},     {-1, 0, 0}};
+  facets.triangles = {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {0, 5, 1}, {5, 6, 1}, {6, 3, 1},
+                      {0, 2, 7}, {2, 8, 7}, {2, 4, 8}, {9, 5, 0}, {9, 0, 7}};
+  facets.group = {0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+  facets.groupNames = {"wedge", "sheet"};
+  const PatchedFacets patched = findPatches(std::move(facets), testing::limitsFor(1));
+  ASSERT_EQ(patched.patches.size(), 2u);
+  EXPECT_EQ(patched.patches[0].triangles.size(), 3u);
 }
 
 }  // namespace
