@@ -109,16 +109,17 @@ class ConeCut {
         shared[piece_[h / 3]][piece_[twins_[h] / 3]] += lengthOf(facets_, h);
     std::vector<std::uint32_t> became(axes_.size());
     std::iota(became.begin(), became.end(), 0u);
-    std::set<std::uint32_t> seen;  // what grows, or is gone, waits for the next round
+    std::set<std::uint32_t> grown, gone;  // their borders are others now: they wait for a round
     for (const auto& [piece, beside] : shared) {
       const auto most =
           std::ranges::max_element(beside, {}, [](const auto& b) { return b.second; });
-      if (seen.contains(piece) || seen.contains(most->first)) continue;
+      if (grown.contains(piece) || gone.contains(most->first)) continue;
       became[piece] = most->first;
-      seen.insert({piece, most->first});
+      grown.insert(most->first);
+      gone.insert(piece);
     }
     for (std::uint32_t& piece : piece_) piece = became[piece];
-    return !seen.empty();
+    return !gone.empty();
   }
 
   std::vector<Flat> extentsOfPieces() const {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "engine/base/stopwatch.h"
+#include "geometry/faceted/cones.h"
 #include "geometry/faceted/directions.h"
 #include "geometry/mesh/quality.h"
 #include "tests/geometry/faceted/faceted_mesh.h"
@@ -84,6 +86,23 @@ TEST(FacetedMeshing, MeshesScansAsIfTheyWereSmooth) {
   const ModelMesh mesh = testing::completeMesh(scan, 0.8);
   EXPECT_EQ(mesh.faces.size(), 2u);
   EXPECT_GT(measureQuality(mesh).minAngle, 3);
+}
+
+/// All pieces at the spikes of a plane join the one that is the plane.
+TEST(Noise, IsCutIntoPiecesWithoutTakingLong) {
+  const Facets sheet = grid(150, 150, Closed::InNeither, [](std::uint32_t i, std::uint32_t j) {
+    return Point3{0.1 * i, 0.1 * j, i % 3 == 1 && j % 3 == 1 ? 0.3 : 0.0};
+  });
+  PatchedFacets patched{sheet, {}, {}, {}, {Patch{}}, {}};
+  for (std::uint32_t t = 0; t < sheet.triangles.size(); ++t) {
+    const auto& [a, b, c] = sheet.triangles[t];
+    const Point3& origin = sheet.vertices[a];
+    patched.normals.push_back(unit(cross(sheet.vertices[b] - origin, sheet.vertices[c] - origin)));
+    patched.patches[0].triangles.push_back(t);
+  }
+  const Stopwatch watch;
+  EXPECT_TRUE(coneBorders(patched, patched.patches[0], 45 * kDegree, 2).empty());
+  EXPECT_LT(watch.seconds(), 2.0 * AF2_SLOWNESS);
 }
 
 }  // namespace
