@@ -164,8 +164,8 @@ std::vector<bool> FeatureEdges::findOnOneSide() const {
 }
 
 /// Patches without width, as rounding leaves them along edges; what is as short as a loose end, or
-/// no rim, may be a fold. Edges in roundings do not justify a
-/// patch that is narrow compared with the elements.
+/// no rim, may be a fold. Edges in roundings do not justify a patch that is narrow compared with
+/// the elements.
 bool FeatureEdges::dropSlivers() {
   constexpr double kWidth = 0.02, kBesideCrease = 2;  // of a speck
   const std::vector<bool> isOnOneSide = findOnOneSide();
@@ -233,15 +233,6 @@ std::vector<int> FeatureEdges::countAround() const {
   return counts;
 }
 
-/// The feature edges before and after a side of a triangle that is none, around the patch on the
-/// other side of it.
-std::pair<HalfEdge, HalfEdge> FeatureEdges::besideAcross(HalfEdge side) const {
-  HalfEdge before = side, after = side;
-  while (twin_[before] != kNoHalfEdge) before = previousIn(twin_[before]);
-  while (twin_[after] != kNoHalfEdge) after = nextIn(twin_[after]);
-  return {before, after};
-}
-
 /// Triangles too narrow to be seen in which the border of a patch turns back are moved to the other
 /// side of it. Where it turns back anyway, the patch has a tip, which stays.
 bool FeatureEdges::dropSpikes() {
@@ -260,7 +251,8 @@ bool FeatureEdges::dropSpikes() {
     if (2 * areaOf(facets_, h / 3) >= kFold * limits_.speck * longest ||
         angleBetween(along(h), along(next)) <= kTurnsBack)
       continue;
-    const auto [before, after] = besideAcross(third);
+    const HalfEdge before = previousAround(twin_, twin_[third]);
+    const HalfEdge after = nextAround(twin_, twin_[third]);
     if (angleBetween(along(before), along(after)) > kTurnsBack) continue;  // the tip of a patch
     twin_[twin_[third]] = kNoHalfEdge;
     twin_[third] = kNoHalfEdge;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "geometry/faceted/feature_curves.h"
@@ -54,7 +53,6 @@ class FeatureEdges {
   std::vector<bool> findOnOneSide() const;
   bool dropSlivers();
   std::vector<int> countAround() const;
-  std::pair<HalfEdge, HalfEdge> besideAcross(HalfEdge side) const;
   bool dropSpikes();
   template <class IsMerged>
   bool mergeWithOthers(const IsMerged& isMerged);

@@ -19,6 +19,19 @@ inline constexpr HalfEdge kNoHalfEdge = 0xffffffffu;
 inline HalfEdge nextIn(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline HalfEdge previousIn(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
+/// The sides without a twin that come after and before this one around the triangles that hang
+/// together through twins.
+inline HalfEdge nextAround(const std::vector<HalfEdge>& twins, HalfEdge h) {
+  HalfEdge next = nextIn(h);
+  while (twins[next] != kNoHalfEdge) next = nextIn(twins[next]);
+  return next;
+}
+inline HalfEdge previousAround(const std::vector<HalfEdge>& twins, HalfEdge h) {
+  HalfEdge previous = previousIn(h);
+  while (twins[previous] != kNoHalfEdge) previous = previousIn(twins[previous]);
+  return previous;
+}
+
 inline std::uint32_t startOf(const FacetTriangles& triangles, HalfEdge h) {
   return triangles[h / 3][h % 3];
 }

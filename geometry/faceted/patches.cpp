@@ -28,13 +28,6 @@ std::vector<std::vector<std::uint32_t>> bulgingPatches(const FeatureEdges& featu
   return triangles;
 }
 
-/// The feature edge after `h` around its patch.
-HalfEdge nextAround(const std::vector<HalfEdge>& twins, HalfEdge h) {
-  HalfEdge next = nextIn(h);
-  while (twins[next] != kNoHalfEdge) next = nextIn(twins[next]);
-  return next;
-}
-
 std::vector<Patch> patchesOf(const Facets& facets, const FeatureEdges& features,
                              const FeatureCurves& curves) {
   std::vector<Patch> patches(features.patchCount());

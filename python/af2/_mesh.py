@@ -225,10 +225,9 @@ class Mesh:
     @property
     def faces(self) -> List[Any]:
         """How the meshing of each face went, by id: `id`, `name`, `surface`, `chart`, `status` ("complete", "failed",
-        "cancelled", "skipped"), `elements`, `seconds`, `area`, `reason`, `cause` ("model": a fault of the
-        model, so that no sizes help; "size": nothing is visible at this size; "": not known), `attempts`, `stuck` (places
-        where fronts got stuck, with `start`, `end`, `uv`, `level`, `refusals`), `without_rule`, `acts`, `layers`, `layer_elements`,
-        `odd_loops`, `triangles`, `deviation`."""
+        "cancelled", "skipped"), `elements`, `seconds`, `area`, `reason`, `cause` ("model": no sizes help; "size": it is
+        far too large; "": not known), `attempts`, `stuck` (where fronts are: `start`, `end`, `uv`, `level`,
+        `refusals`), `without_rule`, `acts`, `layers`, `layer_elements`, `odd_loops`, `triangles`, `deviation`."""
         return self._report.faces
 
     @property

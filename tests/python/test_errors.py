@@ -110,6 +110,7 @@ class Incomplete(Case):
         self.assertIn("allow_incomplete=True", str(error))
         self.assertGreater(len(error.mesh.elements), 50)
         self.assertEqual(error.mesh.failures[0].id, 1)
+        self.assertEqual(error.mesh.failures[0].cause, "")
 
     def test_is_returned_if_allowed(self):
         mesh = af2.mesh(self.damaged(), size=1, allow_incomplete=True)

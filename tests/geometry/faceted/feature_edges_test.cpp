@@ -71,6 +71,18 @@ TEST(FeatureEdges, AreKeptAroundNarrowParts) {
   EXPECT_EQ(findPatches(std::move(facets), testing::limitsFor(1)).patches.size(), 3u);
 }
 
+/// A step far lower than an element is no face, however long.
+TEST(FeatureEdges, AreOneAtALowStep) {
+  const auto step = [](double height) {
+    Facets facets = testing::grid(1, 3, testing::Closed::InNeither, [&](auto i, auto j) {
+      return Point3{1.0 * i, j < 2 ? 1.0 * j : j - 1.0, j < 2 ? 0 : height};
+    });
+    return findPatches(std::move(facets), testing::limitsFor(1)).patches.size();
+  };
+  EXPECT_EQ(step(0.004), 2u);
+  EXPECT_EQ(step(0.02), 3u) << "it can be seen";
+}
+
 /// Both long sides of the rim of a thin wall are edges.
 TEST(FeatureEdges, AreKeptAroundRims) {
   const auto rim = [](double width) {
