@@ -19,6 +19,8 @@ struct Samples {
   SampledCurve curve;
 };
 
+constexpr double kMaxSamples = 1e7;  // of an edge
+
 class Division {
  public:
   Division(const DomainModel& model, const DomainSizes& sizes, const EdgePoints& given,
@@ -85,13 +87,14 @@ class Division {
 
   /// At the knots, and between them where these are far apart.
   Samples sample(std::size_t c) const {
-    constexpr double kDenser = 8;
+    constexpr std::size_t kDenser = 8;
     constexpr int kMaxRounds = 4;
     const bool isVaried = sizes_.byPosition.isVaried() || sizes_.nearLoosePoints || !model_.isFlat;
     double perSize = isVaried ? kDenser : 1;
     Samples samples = sampled(c, perSize);
     for (int round = 0; isVaried && !isFine(samples.curve) && round < kMaxRounds; ++round) {
-      perSize *= kDenser;
+      if (static_cast<double>(kDenser * samples.parameters.size()) > kMaxSamples) break;
+      perSize *= static_cast<double>(kDenser);
       samples = sampled(c, perSize);
     }
     return samples;
@@ -133,8 +136,7 @@ class Division {
   }
 
   std::size_t cellsFor(double wanted, const Samples& samples) const {
-    constexpr double kMax = 1e7;
-    if (!(wanted + static_cast<double>(samples.parameters.size()) < kMax))
+    if (!(wanted + static_cast<double>(samples.parameters.size()) < kMaxSamples))
       throw InputError(model_.name +
                        ": an edge would need more than a million segments; ask for a larger size");
     return static_cast<std::size_t>(std::max(1.0, std::ceil(wanted)));

@@ -8,6 +8,7 @@
 
 #include "engine/base/constants.h"
 #include "geometry/base/constants.h"
+#include "geometry/domain/crossed_faces.h"
 #include "geometry/domain/domain_boundary.h"
 #include "geometry/domain/domain_check.h"
 #include "geometry/domain/domain_division.h"
@@ -196,10 +197,18 @@ class DomainFaces final : public FaceSource {
 
   bool mayCross() const override { return !model_.isExact; }
   double retryShare() const override { return model_.retryShare; }
+  bool mayTilt() const override { return model_.mayTilt; }
+
+  bool meetsOthers(int face, const std::vector<Crossing>& crossings) const override {
+    return model_.crossings && crossInModel(model_.crossings(), face, crossings);
+  }
 
   void complete(const MeshFaults&, ModelMesh& mesh) const override {
     mesh.boundaries = model_.boundaries;
     mesh.notes = model_.notes;
+    const auto failed = [](const FaceReport& face) { return face.status == FaceStatus::Failed; };
+    if (model_.crossings && std::ranges::any_of(mesh.faces, failed))
+      tellOfCrossings(model_.crossings(), mesh.faces);
   }
 
  private:

@@ -1,6 +1,7 @@
 // Faces that meet at curves: the form in which planar domains and triangle surfaces are meshed.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -52,6 +53,12 @@ class AF2_EXPORT CurvatureLimit : public SizeField {
   virtual std::vector<SizeSource> sizesToFollow() const { return {}; }
 };
 
+/// A place where a face crosses another one, or itself, in the model itself.
+struct FacesCross {
+  std::array<int, 2> faces{};  ///< their ids
+  Point3 place;
+};
+
 struct DomainModel {
   std::string name;      ///< the file
   double diagonal = 0;   ///< of the box around it
@@ -70,6 +77,10 @@ struct DomainModel {
   /// The budget of retries, as a share of the candidates that CAD faces may use: the cost of charts
   /// differs.
   double retryShare = 1;
+  bool mayTilt = true;  ///< as the last remedy, elements may tilt against the surface by any angle
+  /// Looks for crossings, which explain failures; empty: there are none. Several threads may use it
+  /// at once.
+  std::function<std::vector<FacesCross>()> crossings;
   /// By face, the limits by curvature; empty: all faces are plane. Several threads may use them at
   /// once.
   std::function<std::vector<std::shared_ptr<const CurvatureLimit>>(const DomainSize&)>

@@ -23,6 +23,7 @@
 namespace af2::geometry {
 namespace {
 
+constexpr double kNarrow = 0.05;      // of the wanted size: of pieces that need not be flat
 constexpr double kRetryShare = 0.25;  // charts look through triangles
 constexpr int kBriefly = 1;           // rounds of retries, as long as patches may be cut instead
 
@@ -53,6 +54,7 @@ class ModelMaker {
     for (const FeatureCurve& curve : patched_.curves) addCurve(curve);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) addFace(i);
     addLimits(growth);
+    addCrossings();
     addGroups();
     model_.notes = facets_.notes;
     return std::move(model_);
@@ -151,6 +153,19 @@ class ModelMaker {
     };
   }
 
+  void addCrossings() {
+    std::vector<int> faceOf(facets_.triangles.size(), 0);
+    for (std::size_t i = 0; i < patched_.patches.size(); ++i)
+      for (const std::uint32_t t : patched_.patches[i].triangles)
+        faceOf[t] = static_cast<int>(i) + 1;
+    model_.crossings = [shared = shared_, faceOf = std::move(faceOf)] {
+      std::vector<FacesCross> crossings;
+      for (const auto& [triangles, place] : shared->crossed->of(shared->facets))
+        crossings.push_back({{faceOf[triangles[0]], faceOf[triangles[1]]}, place});
+      return crossings;
+    };
+  }
+
   /// A patch is of the part that its first triangle is of.
   void addGroups() {
     if (facets_.group.empty()) return;
@@ -205,20 +220,12 @@ bool namesFacesOrEdges(const MeshingOptions& options) {
          !options.layers.empty() || !options.edgePoints.empty();
 }
 
-/// Borders between pieces of the curved patches that failed.
-std::set<FacetEdge> cutsThroughFailed(const PatchedFacets& patched, const ModelMesh& mesh,
-                                      double angle, double size) {
-  std::set<FacetEdge> cuts;
-  for (const FaceReport& face : mesh.faces)
-    if (face.status == FaceStatus::Failed && face.surfaceType != "plane")
-      cuts.merge(coneBorders(patched, patched.patches[static_cast<std::size_t>(face.id) - 1], angle,
-                             size));
-  return cuts;
-}
-
-/// Whether more than the short tries are needed: meshes without smaller angles get only one.
-bool isPoor(const ModelMesh& mesh) {
-  return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
+/// All edges of a patch, so that each of its triangles becomes one.
+std::set<FacetEdge> allEdges(const Facets& facets, const Patch& patch) {
+  std::set<FacetEdge> edges;
+  for (const std::uint32_t t : patch.triangles)
+    for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) edges.insert(edgeOf(facets.triangles, h));
+  return edges;
 }
 
 void noteCuts(std::size_t count, ModelMesh& mesh) {
@@ -226,6 +233,106 @@ void noteCuts(std::size_t count, ModelMesh& mesh) {
       "patches that could not be meshed whole were cut into pieces; additional patches: " +
       std::to_string(count));
 }
+
+/// Whether more than the short tries are needed: meshes without smaller angles get only one.
+bool isPoor(const ModelMesh& mesh) {
+  return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
+}
+
+/// Meshes patches, and cuts those that fail into pieces that are ever flatter.
+class CutMesher {
+ public:
+  CutMesher(PatchedFacets patched, const FeatureLimits& limits, const AF2Algorithm& algorithm,
+            const MeshingOptions& options)
+      : best_{std::move(patched), {}},
+        limits_(limits),
+        algorithm_(algorithm),
+        options_(options),
+        brief_(options) {
+    brief_.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
+  }
+
+  ModelMesh mesh(DomainModel whole) {
+    const std::size_t count = best_.patched.patches.size();
+    best_.mesh = meshed(std::move(whole), brief_);
+    const double size = options_.sizes.size;
+    cutIntoCones(45 * kDegree, size);
+    cutIntoCones(25 * kDegree, size);
+    mayTilt_ = true;
+    if (failedArea(best_.mesh) > 0) best_.mesh = meshed(modelOf(best_.patched, options_), brief_);
+    cutIntoCones(10 * kDegree, kNarrow * size);
+    const bool isInTriangles = cutIntoTriangles();
+    // What fails even then crosses others in the model itself.
+    if (isPoor(best_.mesh) && !(isInTriangles && failedArea(best_.mesh) > 0))
+      best_.mesh = meshed(modelOf(best_.patched, options_), options_);
+    const std::size_t added = best_.patched.patches.size() - count;
+    if (added > 0) noteCuts(added, best_.mesh);
+    return std::move(best_.mesh);
+  }
+
+ private:
+  struct State {
+    PatchedFacets patched;
+    ModelMesh mesh;
+  };
+  using BordersIn = std::function<std::set<FacetEdge>(const PatchedFacets&, const Patch&)>;
+
+  ModelMesh meshed(DomainModel model, const MeshingOptions& options) const {
+    model.mayTilt = mayTilt_;
+    return meshDomain(model, algorithm_, options);
+  }
+
+  /// The curved patches that failed are in pieces; nothing if there is nothing to cut.
+  std::optional<State> cut(const State& state, const BordersIn& bordersIn) const {
+    if (options_.stop.stop_requested()) return std::nullopt;
+    std::set<FacetEdge> cuts;
+    for (const FaceReport& face : state.mesh.faces)
+      if (face.status == FaceStatus::Failed && face.surfaceType != "plane")
+        cuts.merge(
+            bordersIn(state.patched, state.patched.patches[static_cast<std::size_t>(face.id) - 1]));
+    if (cuts.empty()) return std::nullopt;
+    State next{cutPatches(state.patched, cuts, limits_), {}};
+    if (next.patched.patches.size() == state.patched.patches.size()) return std::nullopt;
+    next.mesh = meshed(modelOf(next.patched, options_), brief_);
+    return next;
+  }
+
+  bool isBetter(const State& state) const {
+    return failedArea(state.mesh) < failedArea(best_.mesh);
+  }
+
+  void cutIntoCones(double angle, double size) {
+    auto next = cut(best_, [&](const PatchedFacets& patched, const Patch& patch) {
+      return coneBorders(patched, patch, angle, size);
+    });
+    if (next && isBetter(*next)) best_ = *std::move(next);
+  }
+
+  /// Triangles are flat, and elements within them cross nothing. First, patches beside them may
+  /// fail in their place. Returns whether it helped.
+  bool cutIntoTriangles() {
+    constexpr int kMostTimes = 3;
+    bool isAny = false;
+    std::optional<State> state = best_;
+    for (int i = 0; i < kMostTimes; ++i) {
+      state = cut(*state, [](const PatchedFacets& patched, const Patch& patch) {
+        return allEdges(patched.facets, patch);
+      });
+      if (!state) break;
+      if (!isBetter(*state)) continue;
+      best_ = *state;
+      isAny = true;
+    }
+    return isAny;
+  }
+
+  State best_;
+  const FeatureLimits& limits_;
+  const AF2Algorithm& algorithm_;
+  const MeshingOptions& options_;
+  MeshingOptions brief_;
+  bool mayTilt_ = false;  // pieces have better elements
+};
 
 }  // namespace
 
@@ -238,30 +345,14 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                       const std::function<void(const DomainModel&)>& check) {
   const FeatureLimits limits = limitsFor(facets, options);
   PatchedFacets patched = findPatches(facets, limits);
-  const DomainModel whole = modelOf(patched, options);
+  DomainModel whole = modelOf(patched, options);
   if (check) check(whole);
   if (namesFacesOrEdges(options)) {
     ModelMesh mesh = meshDomain(whole, algorithm, options);
     if (options.faces.empty() && options.faceNames.empty()) compareWithTriangles(facets, mesh);
     return mesh;
   }
-  MeshingOptions brief = options;
-  brief.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
-  ModelMesh mesh = meshDomain(whole, algorithm, brief);
-  std::size_t cutPieces = 0;
-  for (const double angle : {45 * kDegree, 25 * kDegree}) {
-    if (options.stop.stop_requested()) break;
-    PatchedFacets next =
-        cutPatches(patched, cutsThroughFailed(patched, mesh, angle, options.sizes.size), limits);
-    if (next.patches.size() == patched.patches.size()) continue;
-    ModelMesh meshOfNext = meshDomain(modelOf(next, options), algorithm, brief);
-    if (!(failedArea(meshOfNext) < failedArea(mesh))) break;
-    cutPieces += next.patches.size() - patched.patches.size();
-    patched = std::move(next);
-    mesh = std::move(meshOfNext);
-  }
-  if (isPoor(mesh)) mesh = meshDomain(modelOf(patched, options), algorithm, options);
-  if (cutPieces > 0) noteCuts(cutPieces, mesh);
+  ModelMesh mesh = CutMesher(std::move(patched), limits, algorithm, options).mesh(std::move(whole));
   compareWithTriangles(facets, mesh);
   return mesh;
 }

@@ -78,7 +78,9 @@ PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>
                          const FeatureLimits& limits) {
   std::set<FacetEdge> all = patched.cuts;
   all.insert(cuts.begin(), cuts.end());
-  return patchesBetween(patched.facets, patched.directions, limits, std::move(all));
+  PatchedFacets cut = patchesBetween(patched.facets, patched.directions, limits, std::move(all));
+  cut.crossed = patched.crossed;
+  return cut;
 }
 
 }  // namespace af2::geometry

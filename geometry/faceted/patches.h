@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <set>
 #include <vector>
 
 #include "geometry/domain/curve_use.h"
+#include "geometry/faceted/crossed_facets.h"
 #include "geometry/faceted/facets.h"
 
 namespace af2::geometry {
@@ -34,6 +36,7 @@ struct PatchedFacets {
   std::vector<FeatureCurve> curves;
   std::vector<Patch> patches;  ///< in the order of their first triangles
   std::set<FacetEdge> cuts;    ///< edges between patches that are no features
+  std::shared_ptr<CrossedFacets> crossed = std::make_shared<CrossedFacets>();  ///< of all cuts
 };
 
 /// Limits that define feature edges.

@@ -1,4 +1,4 @@
-// Triangulates the polygons that OBJ files may have as faces.
+// Triangulates the polygons that files of surfaces may have as faces.
 // Not installed.
 #pragma once
 

@@ -102,6 +102,8 @@ class FaceSource {
   virtual bool mayCross() const { return true; }
   /// Factor for the candidates that retries may use, because charts differ in their cost.
   virtual double retryShare() const { return 1; }
+  /// Whether the elements of faces that have failed may tilt against the surface by any angle.
+  virtual bool mayTilt() const { return true; }
 
   /// Adds what is specific to this kind of model to the notes, findings and reports of the mesh.
   /// Faces that do not pass the checks have failed already.

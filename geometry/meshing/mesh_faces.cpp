@@ -203,6 +203,7 @@ class FaceRun final : public RetriedModel {
     RetryOptions retries{source_.sizesByPosition(), largestOf(options_.sizes),
                          options_.sizes.growth, options_.threads, options_.stop};
     retries.share = source_.retryShare();
+    retries.mayTilt = source_.mayTilt();
     retries.mostRounds = mostRetries();
     const RuleSet& rules = algorithm_.rules();
     retries.mayMakeReflex = RuleScoring(rules.definition()).allowsReflexAt(rules.maxLevel());

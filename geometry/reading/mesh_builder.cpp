@@ -1,9 +1,11 @@
 #include "geometry/reading/mesh_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "geometry/faceted/polygon_triangles.h"
 
 namespace af2::geometry {
 namespace {
@@ -13,6 +15,12 @@ constexpr std::uint64_t kMostElements = std::uint64_t{1} << 30;
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// Larger numbers stay too large.
+VertexId limited(std::uint64_t vertex) {
+  constexpr std::uint64_t kMost = VertexId::kNone - 1;
+  return VertexId(static_cast<std::uint32_t>(std::min(vertex, kMost)));
 }
 
 /// Leaves out corners that repeat the one before; returns how many are left.
@@ -29,21 +37,23 @@ std::size_t withoutRepetitions(Element& element) {
 
 void MeshBuilder::addElement(std::span<const std::uint64_t> corners, std::int32_t face) {
   ModelMesh& mesh = result_.mesh;
+  if (corners.size() > 4 && dividesPolygons_) {
+    Polygon& polygon = polygons_.emplace_back(Polygon{{}, face});
+    for (const std::uint64_t corner : corners) polygon.corners.push_back(limited(corner).value);
+    return;
+  }
   if (corners.size() < 3 || corners.size() > 4)
     fail("element " + std::to_string(mesh.elements.size() + 1) + " has " +
          std::to_string(corners.size()) + " corners; only triangles and quadrilaterals are read");
   if (mesh.elements.size() == kMostElements) fail("has more elements than AF2 can number");
   Element element{};
-  for (std::size_t i = 0; i < corners.size(); ++i)  // larger numbers stay too large
-    element.corners[i] = VertexId(std::min<std::uint64_t>(corners[i], VertexId::kNone - 1));
+  for (std::size_t i = 0; i < corners.size(); ++i) element.corners[i] = limited(corners[i]);
   mesh.elements.push_back(element);
   mesh.face.push_back(face);
 }
 
 void MeshBuilder::addLine(std::uint64_t from, std::uint64_t to, std::int32_t edge) {
-  constexpr std::uint64_t kMost = VertexId::kNone - 1;
-  result_.mesh.segments.push_back(
-      {VertexId(std::min(from, kMost)), VertexId(std::min(to, kMost)), edge, 1, {}});
+  result_.mesh.segments.push_back({limited(from), limited(to), edge, 1, {}});
 }
 
 void MeshBuilder::fail(const std::string& fault) const { throw InputError(name_ + ": " + fault); }
@@ -64,8 +74,20 @@ void MeshBuilder::checkNumbers() const {
   };
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (const VertexId corner : mesh.elements[e].vertices()) check(corner, "element", e);
+  for (std::size_t i = 0; i < polygons_.size(); ++i)
+    for (const std::uint32_t corner : polygons_[i].corners) check(VertexId(corner), "polygon", i);
   for (std::size_t i = 0; i < mesh.segments.size(); ++i)
     for (const VertexId end : {mesh.segments[i].from, mesh.segments[i].to}) check(end, "line", i);
+}
+
+void MeshBuilder::addTrianglesOfPolygons() {
+  ModelMesh& mesh = result_.mesh;
+  for (const Polygon& polygon : polygons_)
+    for (const auto& [a, b, c] : trianglesOfPolygon(mesh.vertices, polygon.corners))
+      addElement(std::array<std::uint64_t, 3>{a, b, c}, polygon.face);
+  if (!polygons_.empty())
+    mesh.notes.push_back("divided into triangles: " + counted(polygons_.size(), "polygon") +
+                         " with more than four corners");
 }
 
 void MeshBuilder::mendElements() {
@@ -130,6 +152,7 @@ void MeshBuilder::countFaces() {
 MeshFile MeshBuilder::finish() {
   ModelMesh& mesh = result_.mesh;
   checkNumbers();
+  addTrianglesOfPolygons();
   mendElements();
   if (mesh.elements.empty())
     fail(leftOut_.empty() ? "contains no elements; give a mesh of triangles or quadrilaterals"

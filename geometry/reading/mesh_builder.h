@@ -34,12 +34,15 @@ class MeshBuilder {
   explicit MeshBuilder(std::string name, FieldCells* field = nullptr)
       : name_(std::move(name)), field_(field) {}
 
+  /// Polygons with more than four corners become triangles: a surface may have them, a mesh not.
+  void dividePolygons() { dividesPolygons_ = true; }
+
   const std::string& name() const { return name_; }
   std::size_t vertexCount() const { return result_.mesh.vertices.size(); }
 
   void addVertex(const Point3& p) { result_.mesh.vertices.push_back(p); }
   /// corners  numbers of vertices, counted from 0; they may be added later
-  /// Throws InputError unless there are three or four corners.
+  /// Throws InputError unless there are three or four corners, or more that may be divided.
   void addElement(std::span<const std::uint64_t> corners, std::int32_t face);
   void addLine(std::uint64_t from, std::uint64_t to, std::int32_t edge);
   /// kind  for a note, if solid cells are not wanted
@@ -69,7 +72,13 @@ class MeshBuilder {
   void finishField();
 
  private:
+  struct Polygon {
+    std::vector<std::uint32_t> corners;
+    std::int32_t face;
+  };
+
   void checkNumbers() const;
+  void addTrianglesOfPolygons();
   void mendElements();
   void writeNotes(std::size_t collapsed, std::size_t mended);
   void dropWrongSizes();
@@ -80,7 +89,8 @@ class MeshBuilder {
   MeshFile result_;
   std::map<std::string, std::size_t> leftOut_;
   std::map<std::int32_t, std::string> faceNames_;
-  bool isSecondOrder_ = false;
+  std::vector<Polygon> polygons_;  // with more than four corners
+  bool isSecondOrder_ = false, dividesPolygons_ = false;
 };
 
 }  // namespace af2::geometry

@@ -1,4 +1,5 @@
-// Mesh files as surfaces to be meshed: faces of the mesh are parts, and quadrilaterals are split.
+// Mesh files as surfaces to be meshed: faces of the mesh are parts, and other polygons than
+// triangles are split.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -35,6 +36,7 @@ void addFacets(MeshFile file, Facets& facets) {
 void addFacets(void (*read)(const std::string&, MeshBuilder&), const std::string& content,
                Facets& facets) {
   MeshBuilder mesh(facets.name);
+  mesh.dividePolygons();
   read(content, mesh);
   addFacets(mesh.finish(), facets);
 }

@@ -55,8 +55,8 @@ std::optional<std::size_t> meshWithoutReflex(Retrial& retrial, FaceMeshes& state
   return meshAgain(retrial, state, face, {.refusesReflex = true});
 }
 
-bool mayIgnoreNormals(const Retrial&, const FaceMeshes& state, std::size_t face) {
-  return failed(state.meshes[face]);
+bool mayIgnoreNormals(const Retrial& retrial, const FaceMeshes& state, std::size_t face) {
+  return retrial.options.mayTilt && failed(state.meshes[face]);
 }
 
 std::optional<std::size_t> meshIgnoringNormals(Retrial& retrial, FaceMeshes& state,

@@ -68,7 +68,8 @@ struct RetryOptions {
   int threads = 0;
   std::stop_token stop;
   int mostRounds = 20;
-  double share = 1;  ///< factor for the budget of candidates
+  double share = 1;     ///< factor for the budget of candidates
+  bool mayTilt = true;  ///< as the last remedy, elements may tilt against the surface by any angle
   /// Whether the rules may make quadrilaterals with a reflex corner, to be turned round later.
   bool mayMakeReflex = false;
 };

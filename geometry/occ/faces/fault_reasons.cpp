@@ -8,6 +8,7 @@
 
 #include "engine/base/elementary.h"
 #include "engine/base/place_text.h"
+#include "geometry/mesh/blame_model.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/crossed_edges.h"
 #include "geometry/occ/faces/edge_sides.h"
@@ -82,11 +83,6 @@ std::string faultOf(const ModelShape& model, int face, double size) {
   if (const auto crossed = crossedEdges(model, face)) return textOf(*crossed);
   if (const auto fault = surfaceFault(model, face, size)) return textOf(*fault);
   return "";
-}
-
-void blameModel(const std::string& fault, FaceReport& face) {
-  face.reason += "; " + fault;
-  face.cause = FailureCause::Model;
 }
 
 void tellOfFaults(const ModelShape& model, double size, ModelMesh& mesh) {

@@ -16,9 +16,6 @@ namespace af2::geometry {
 /// size  edge length of the mesh
 std::string faultOf(const ModelShape& model, int face, double size);
 
-/// Adds a fault of the model to the reason why a face failed.
-void blameModel(const std::string& fault, FaceReport& face);
-
 /// Says this of faces that failed, in their reasons; and of curved ones with needles that took more
 /// than one attempt, in the notes of the mesh. A sharp tip, around which all elements are needles,
 /// is named, too.

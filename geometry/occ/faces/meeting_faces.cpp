@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "engine/base/place_text.h"
+#include "geometry/mesh/blame_model.h"
 #include "geometry/occ/base/points.h"
-#include "geometry/occ/faces/fault_reasons.h"
 
 namespace af2::geometry {
 namespace {

@@ -53,6 +53,26 @@ TEST(MeshFacets, AreOfPlyAndOffFiles) {
   EXPECT_EQ(facets.triangles.size(), 12u);
 }
 
+/// The first polygon is an L, whose corners cannot be joined to a fan.
+TEST(MeshFacets, DividePolygonsIntoTriangles) {
+  const std::string points = "0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n";
+  const Facets facets = facetsOf("l.off", "OFF\n6 2 0\n" + points + "6 3 4 5 0 1 2\n3 2 4 3\n");
+  ASSERT_EQ(facets.triangles.size(), 5u);
+  double area = 0;
+  for (const auto& [a, b, c] : facets.triangles) {
+    const Point3 normal =
+        cross(facets.vertices[b] - facets.vertices[a], facets.vertices[c] - facets.vertices[a]);
+    EXPECT_GT(normal.z, 0);
+    area += normal.z / 2;
+  }
+  EXPECT_DOUBLE_EQ(area, 3.5);
+  ASSERT_FALSE(facets.notes.empty());
+  EXPECT_EQ(facets.notes[0], "divided into triangles: 1 polygon with more than four corners");
+  EXPECT_NE(faultOfFacets("wrong.off", "OFF\n6 1 0\n" + points + "6 3 4 5 0 1 9\n")
+                .find("polygon 0 (counted from 0) uses a vertex that the file does not have"),
+            std::string::npos);
+}
+
 TEST(MeshFacets, TellWhatIsWrongWithAFile) {
   EXPECT_NE(faultOfFacets("empty.off", "").find("is truncated: the head is missing"),
             std::string::npos);

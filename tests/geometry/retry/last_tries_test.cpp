@@ -49,6 +49,8 @@ TEST(IgnoringNormals, IsForFacesThatFailed) {
   state.meshes[1] = testing::goodFace(2);
   EXPECT_TRUE(mayIgnoreNormals(of.retrial, state, 0));
   EXPECT_FALSE(mayIgnoreNormals(of.retrial, state, 1));
+  of.options.mayTilt = false;
+  EXPECT_FALSE(mayIgnoreNormals(of.retrial, state, 0));
 }
 
 TEST(IgnoringNormals, MeshesAFaceAndPutsTheFailedOneBackIfAsked) {
