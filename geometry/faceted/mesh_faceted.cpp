@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kNarrow = 0.05;      // of the wanted size: of pieces that need not be flat
 constexpr double kRetryShare = 0.25;  // charts look through triangles
-constexpr int kBriefly = 1;           // rounds of retries, as long as patches may be cut instead
+constexpr int kBriefly = 1;           // rounds of retries
 
 double diagonalOf(const Facets& facets) {
   Box3 box;
@@ -220,9 +220,11 @@ bool namesFacesOrEdges(const MeshingOptions& options) {
          !options.layers.empty() || !options.edgePoints.empty();
 }
 
-/// All edges of a patch, so that each of its triangles becomes one.
+/// All edges of a patch, so that each of its triangles becomes one; none of a patch with too many.
 std::set<FacetEdge> allEdges(const Facets& facets, const Patch& patch) {
+  constexpr std::size_t kMost = 20000;
   std::set<FacetEdge> edges;
+  if (patch.triangles.size() > kMost) return edges;
   for (const std::uint32_t t : patch.triangles)
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) edges.insert(edgeOf(facets.triangles, h));
   return edges;
@@ -239,32 +241,26 @@ bool isPoor(const ModelMesh& mesh) {
   return failedArea(mesh) > 0 || measureQuality(mesh).minAngle < kUselessAngle;
 }
 
+/// Whether elements that lean against the surface have small angles.
+bool leans(const ModelMesh& mesh) {
+  constexpr double kSmall = 8;  // degrees
+  return std::ranges::any_of(mesh.faces,
+                             [](const FaceReport& face) { return face.withoutRule.leaning > 0; }) &&
+         measureQuality(mesh).minAngle < kSmall;
+}
+
 /// Meshes patches, and cuts those that fail into pieces that are ever flatter.
 class CutMesher {
  public:
   CutMesher(PatchedFacets patched, const FeatureLimits& limits, const AF2Algorithm& algorithm,
             const MeshingOptions& options)
-      : best_{std::move(patched), {}},
-        limits_(limits),
-        algorithm_(algorithm),
-        options_(options),
-        brief_(options) {
-    brief_.mostRetries = std::min(kBriefly, options.mostRetries.value_or(kBriefly));
-  }
+      : best_{std::move(patched), {}}, limits_(limits), algorithm_(algorithm), options_(options) {}
 
-  ModelMesh mesh(DomainModel whole) {
+  ModelMesh mesh(const DomainModel& whole) {
     const std::size_t count = best_.patched.patches.size();
-    best_.mesh = meshed(std::move(whole), brief_);
-    const double size = options_.sizes.size;
-    cutIntoCones(45 * kDegree, size);
-    cutIntoCones(25 * kDegree, size);
-    mayTilt_ = true;
-    if (failedArea(best_.mesh) > 0) best_.mesh = meshed(modelOf(best_.patched, options_), brief_);
-    cutIntoCones(10 * kDegree, kNarrow * size);
-    const bool isInTriangles = cutIntoTriangles();
-    // What fails even then crosses others in the model itself.
-    if (isPoor(best_.mesh) && !(isInTriangles && failedArea(best_.mesh) > 0))
-      best_.mesh = meshed(modelOf(best_.patched, options_), options_);
+    best_.mesh = meshed(whole, kBriefly);
+    if (failedArea(best_.mesh) > 0 || leans(best_.mesh)) meshInPieces(whole);
+    if (isPoor(best_.mesh) && !isHopeless_) meshOnceMore({});
     const std::size_t added = best_.patched.patches.size() - count;
     if (added > 0) noteCuts(added, best_.mesh);
     return std::move(best_.mesh);
@@ -277,9 +273,37 @@ class CutMesher {
   };
   using BordersIn = std::function<std::set<FacetEdge>(const PatchedFacets&, const Patch&)>;
 
-  ModelMesh meshed(DomainModel model, const MeshingOptions& options) const {
+  /// rounds  of retries, at most; none: as many as the options allow
+  ModelMesh meshed(DomainModel model, std::optional<int> rounds) const {
+    MeshingOptions options = options_;
+    if (rounds) options.mostRetries = std::min(*rounds, options_.mostRetries.value_or(*rounds));
     model.mayTilt = mayTilt_;
     return meshDomain(model, algorithm_, options);
+  }
+
+  void meshOnceMore(std::optional<int> rounds) {
+    if (options_.stop.stop_requested()) return;
+    ModelMesh again = meshed(modelOf(best_.patched, options_), rounds);
+    if (!(failedArea(again) > failedArea(best_.mesh))) best_.mesh = std::move(again);
+  }
+
+  /// Pieces may have better elements than those that lean against the surface. The first tries are
+  /// without retries, which take long where they are in vain.
+  void meshInPieces(const DomainModel& whole) {
+    State first = best_;
+    mayTilt_ = false;
+    best_.mesh = meshed(whole, 0);
+    const double size = options_.sizes.size;
+    cutIntoCones(45 * kDegree, size);
+    cutIntoCones(25 * kDegree, size);
+    cutIntoCones(10 * kDegree, kNarrow * size);
+    mayTilt_ = true;
+    meshOnceMore(kBriefly);
+    if (cutIntoTriangles()) {
+      meshOnceMore(kBriefly);
+      isHopeless_ = failedArea(best_.mesh) > 0;  // what fails crosses others in the model itself
+    }
+    if (isBetter(first)) best_ = std::move(first);
   }
 
   /// The curved patches that failed are in pieces; nothing if there is nothing to cut.
@@ -293,12 +317,14 @@ class CutMesher {
     if (cuts.empty()) return std::nullopt;
     State next{cutPatches(state.patched, cuts, limits_), {}};
     if (next.patched.patches.size() == state.patched.patches.size()) return std::nullopt;
-    next.mesh = meshed(modelOf(next.patched, options_), brief_);
+    next.mesh = meshed(modelOf(next.patched, options_), 0);
     return next;
   }
 
   bool isBetter(const State& state) const {
-    return failedArea(state.mesh) < failedArea(best_.mesh);
+    const double own = failedArea(state.mesh), best = failedArea(best_.mesh);
+    if (own != best || own > 0) return own < best;
+    return measureQuality(state.mesh).minAngle > measureQuality(best_.mesh).minAngle;
   }
 
   void cutIntoCones(double angle, double size) {
@@ -330,8 +356,8 @@ class CutMesher {
   const FeatureLimits& limits_;
   const AF2Algorithm& algorithm_;
   const MeshingOptions& options_;
-  MeshingOptions brief_;
-  bool mayTilt_ = false;  // pieces have better elements
+  bool mayTilt_ = true;
+  bool isHopeless_ = false;
 };
 
 }  // namespace
@@ -345,14 +371,14 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                       const std::function<void(const DomainModel&)>& check) {
   const FeatureLimits limits = limitsFor(facets, options);
   PatchedFacets patched = findPatches(facets, limits);
-  DomainModel whole = modelOf(patched, options);
+  const DomainModel whole = modelOf(patched, options);
   if (check) check(whole);
   if (namesFacesOrEdges(options)) {
     ModelMesh mesh = meshDomain(whole, algorithm, options);
     if (options.faces.empty() && options.faceNames.empty()) compareWithTriangles(facets, mesh);
     return mesh;
   }
-  ModelMesh mesh = CutMesher(std::move(patched), limits, algorithm, options).mesh(std::move(whole));
+  ModelMesh mesh = CutMesher(std::move(patched), limits, algorithm, options).mesh(whole);
   compareWithTriangles(facets, mesh);
   return mesh;
 }

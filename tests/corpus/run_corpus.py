@@ -48,7 +48,7 @@ from pathlib import Path
 import mesh_oracle
 from corpus_changes import changes, has_worse, table_of_causes
 
-SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".rle"}
+SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".rle", ".stl", ".obj", ".ply", ".off"}
 DIAGONALS_PER_SIZE = 40
 MOST_AREA_ERROR = 0.05
 LEAST_ANGLE = 0.5
