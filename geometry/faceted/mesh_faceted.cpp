@@ -259,7 +259,8 @@ class CutMesher {
   ModelMesh mesh(const DomainModel& whole) {
     const std::size_t count = best_.patched.patches.size();
     best_.mesh = meshed(whole, kBriefly);
-    if (failedArea(best_.mesh) > 0 || leans(best_.mesh)) meshInPieces(whole);
+    const bool mayTryMore = !options_.strictRules;
+    if (mayTryMore && (failedArea(best_.mesh) > 0 || leans(best_.mesh))) meshInPieces(whole);
     if (isPoor(best_.mesh) && !isHopeless_) meshOnceMore({});
     const std::size_t added = best_.patched.patches.size() - count;
     if (added > 0) noteCuts(added, best_.mesh);
@@ -299,11 +300,12 @@ class CutMesher {
     cutIntoCones(10 * kDegree, kNarrow * size);
     mayTilt_ = true;
     meshOnceMore(kBriefly);
-    if (cutIntoTriangles()) {
-      meshOnceMore(kBriefly);
-      isHopeless_ = failedArea(best_.mesh) > 0;  // what fails crosses others in the model itself
-    }
-    if (isBetter(first)) best_ = std::move(first);
+    const bool isInTriangles = cutIntoTriangles();
+    if (isInTriangles) meshOnceMore(kBriefly);
+    if (isBetter(first))
+      best_ = std::move(first);
+    else  // what fails in triangles crosses others in the model itself
+      isHopeless_ = isInTriangles && failedArea(best_.mesh) > 0;
   }
 
   /// The curved patches that failed are in pieces; nothing if there is nothing to cut.

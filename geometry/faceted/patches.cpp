@@ -79,7 +79,7 @@ PatchedFacets cutPatches(const PatchedFacets& patched, const std::set<FacetEdge>
   std::set<FacetEdge> all = patched.cuts;
   all.insert(cuts.begin(), cuts.end());
   PatchedFacets cut = patchesBetween(patched.facets, patched.directions, limits, std::move(all));
-  cut.crossed = patched.crossed;
+  if (cut.facets.triangles == patched.facets.triangles) cut.crossed = patched.crossed;
   return cut;
 }
 

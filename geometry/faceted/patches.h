@@ -36,7 +36,7 @@ struct PatchedFacets {
   std::vector<FeatureCurve> curves;
   std::vector<Patch> patches;  ///< in the order of their first triangles
   std::set<FacetEdge> cuts;    ///< edges between patches that are no features
-  std::shared_ptr<CrossedFacets> crossed = std::make_shared<CrossedFacets>();  ///< of all cuts
+  std::shared_ptr<CrossedFacets> crossed = std::make_shared<CrossedFacets>();  ///< shared
 };
 
 /// Limits that define feature edges.
