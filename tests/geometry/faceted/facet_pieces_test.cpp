@@ -139,6 +139,28 @@ TEST(FacetPieces, ThatFailBecauseTheModelCrossesItselfSaySo) {
   EXPECT_GT(mesh.elements.size(), 100u) << "the other pieces have meshes";
 }
 
+TEST(FacetPieces, AreNotTriedWithStrictRules) {
+  static const AF2Algorithm algorithm(testing::triangleSet());
+  MeshingOptions options;
+  options.sizes.size = 0.1;
+  options.strictRules = true;
+  const ModelMesh mesh = meshFaceted(leaf(), algorithm, options);
+  EXPECT_FALSE(hasNoteOnPieces(mesh));
+  EXPECT_LT(mesh.faces.size(), 10u);
+}
+
+/// What crosses is known by the numbers of triangles.
+TEST(CrossedFacets, AreSharedByCutsUnlessTheyChangeTheTriangles) {
+  const PatchedFacets open = findPatches(strip(), testing::limitsFor(0.1));
+  EXPECT_EQ(cutPatches(open, {}, testing::limitsFor(0.1)).crossed, open.crossed);
+  constexpr double kAnyTurn = 1e-3;
+  const PatchedFacets creased = findPatches(spikyBall(), {kAnyTurn});
+  const PatchedFacets smooth = cutPatches(creased, {}, {179 * pi / 180});
+  ASSERT_GT(smooth.facets.triangles.size(), creased.facets.triangles.size())
+      << "a closed surface is cut in two by a plane";
+  EXPECT_NE(smooth.crossed, creased.crossed);
+}
+
 TEST(CrossedFacets, AreFoundWithTheirPlaces) {
   const Facets facets = strip();
   CrossedFacets crossed;
