@@ -59,7 +59,8 @@ class ConeCut {
       if (kept.contains(edgeOf(h))) twins_[h] = kNoHalfEdge;
   }
 
-  /// From the largest flat that is left, in the order of the angle to it.
+  /// From the largest flat that is left, in the order of the angle to it. Triangles without a
+  /// direction are in no cone.
   void grow() {
     const double kCone = cosine(angle_);
     std::vector<std::uint32_t> order(flats_.flats.size());
@@ -74,6 +75,11 @@ class ConeCut {
       if (piece_[first[flat]] != kNoHalfEdge) continue;
       axes_.push_back(flats_.flats[flat].normal);
       growPiece(first[flat], kCone);
+    }
+    for (std::uint32_t t = 0; t < piece_.size(); ++t) {
+      if (piece_[t] != kNoHalfEdge) continue;
+      axes_.push_back(flats_.flats[flats_.of[t]].normal);
+      growPiece(t, kCone);
     }
   }
 

@@ -6,7 +6,9 @@
 #include <tuple>
 
 #include "engine/base/error.h"
+#include "geometry/base/box_tree.h"
 #include "geometry/base/words.h"
+#include "geometry/faceted/flats.h"
 #include "geometry/faceted/formats.h"
 #include "geometry/faceted/repair_facets.h"
 
@@ -99,6 +101,22 @@ void checkFacets(const Facets& facets) {
                        std::to_string(facets.groupNames.size()) + " parts, counted from 0");
 }
 
+/// All on a line: no front has a direction to go to.
+void refuseWithoutArea(const Facets& facets) {
+  constexpr double kNone = 1e-14;  // of the square of the diagonal: rounding makes less
+  Box3 box;
+  double area = 0;
+  for (std::uint32_t t = 0; t < facets.triangles.size(); ++t) {
+    area += areaOf(facets, t);
+    for (const std::uint32_t v : facets.triangles[t]) box.add(facets.vertices[v]);
+  }
+  const double diagonal = distance(box.low, box.high);
+  if (!(area > kNone * diagonal * diagonal))
+    throw InputError(textOf(facets) +
+                     ": its triangles have no area, because all corners are on a " +
+                     "line; give a surface");
+}
+
 }  // namespace
 
 std::span<const FacetFormat> facetFormats() { return kFacetFormats; }
@@ -123,6 +141,7 @@ Facets repairedFacets(Facets facets) {
     throw InputError(textOf(facets) +
                      ": no triangle is left after the repair of invalid triangles" +
                      (facets.notes.empty() ? "" : ": " + facets.notes.back()));
+  refuseWithoutArea(facets);
   return facets;
 }
 

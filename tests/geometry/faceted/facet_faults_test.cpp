@@ -79,6 +79,15 @@ TEST(FacetFaults, WhereTheyLeaveNoTriangleAreRefused) {
   }
 }
 
+TEST(FacetFaults, ThatLeaveASurfaceWithoutAreaAreRefused) {
+  try {
+    read("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 4 0 0\nf 1 2 3 4\n");
+    FAIL() << "a line was read as a surface";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no area"), std::string::npos) << error.what();
+  }
+}
+
 std::string refusalOf(Facets facets) {
   try {
     repairedFacets(std::move(facets));

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "geometry/faceted/cones.h"
 #include "geometry/faceted/crossed_facets.h"
 #include "geometry/mesh/quality.h"
 #include "tests/geometry/faceted/faceted_mesh.h"
@@ -137,6 +138,18 @@ TEST(FacetPieces, ThatFailBecauseTheModelCrossesItselfSaySo) {
   }
   EXPECT_GT(failed, 0);
   EXPECT_GT(mesh.elements.size(), 100u) << "the other pieces have meshes";
+}
+
+/// They have no direction, so that they are in no cone.
+TEST(FacetPieces, MayHaveTrianglesWithoutArea) {
+  PatchedFacets line;
+  line.facets.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  line.facets.triangles = {{0, 1, 2}, {0, 2, 3}};
+  line.normals.resize(2);
+  Patch patch;
+  patch.triangles = {0, 1};
+  EXPECT_LE(coneBorders(line, patch, pi / 4, 1).size(), 1u);
+  EXPECT_LE(coneBorders(line, patch, pi / 4, 0).size(), 1u);
 }
 
 TEST(FacetPieces, AreNotTriedWithStrictRules) {
