@@ -1,14 +1,29 @@
 #include "geometry/occ/base/quick_repairs.h"
 
+#include <BRep_Builder.hxx>
 #include <ShapeAlgo.hxx>
 #include <ShapeAlgo_AlgoContainer.hxx>
 #include <ShapeAlgo_ToolContainer.hxx>
 #include <ShapeBuild_ReShape.hxx>
+#include <ShapeFix.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <ShapeFix_Face.hxx>
 #include <ShapeFix_Shape.hxx>
+#include <ShapeFix_Shell.hxx>
+#include <ShapeFix_Solid.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
 #include <mutex>
 #include <typeinfo>
 #include <unordered_set>
+#include <utility>
+
+#include "geometry/occ/base/sound_plane_face.h"
 
 namespace af2::geometry {
 namespace {
@@ -48,15 +63,89 @@ class QuickReShape final : public ShapeBuild_ReShape {
   std::unordered_set<const TopoDS_TShape*> replaced_;
 };
 
-class QuickTools final : public ShapeAlgo_ToolContainer {
+/// Leaves out faces that are certainly sound.
+class QuickSolid final : public ShapeFix_Solid {
  public:
-  Handle(ShapeFix_Shape) FixShape() const override {
-    Handle(ShapeFix_Shape) fix = ShapeAlgo_ToolContainer::FixShape();
+  /// `whole` is the tool that this one belongs to.
+  explicit QuickSolid(ShapeFix_Shape& whole) : whole_(whole) {}
+
+  Standard_Boolean Perform(const Message_ProgressRange& progress) override {
+    int& faces = FixShellTool()->FixFaceMode();
+    TopoDS_Shell shell;
+    if (faces == 0 || Context().IsNull() || !isOneShell(shell))
+      return ShapeFix_Solid::Perform(progress);
+    sound_.clear();
+    const bool isAnyFaceRepaired = repairFacesOf(shell);
+    const int mode = std::exchange(faces, 0);
+    const bool isRepaired = ShapeFix_Solid::Perform(progress);
+    faces = mode;
+    finish();
+    return isAnyFaceRepaired || isRepaired;
+  }
+
+ private:
+  /// With several shells, each is repaired as a whole before the next one.
+  bool isOneShell(TopoDS_Shell& shell) const {
+    int count = 0;
+    for (TopExp_Explorer it(Context()->Apply(myShape), TopAbs_SHELL); it.More(); it.Next()) {
+      shell = TopoDS::Shell(it.Current());
+      ++count;
+    }
+    return count == 1;
+  }
+
+  bool repairFacesOf(const TopoDS_Shell& shell) {
+    const Handle(ShapeFix_Face) fix = FixShellTool()->FixFaceTool();
+    fix->SetContext(Context());
+    bool isAnyRepaired = false;
+    for (TopoDS_Iterator it(Context()->Apply(shell)); it.More(); it.Next()) {
+      TopoDS_Shape face = Context()->Apply(it.Value());
+      if (face.ShapeType() == TopAbs_FACE && isSoundPlaneFace(TopoDS::Face(face))) {
+        face.Checked(true);  // so that OpenCASCADE does not update it again
+        sound_.insert(face.TShape().get());
+        continue;
+      }
+      fix->Init(TopoDS::Face(it.Value()));
+      isAnyRepaired = fix->Perform() || isAnyRepaired;
+    }
+    return isAnyRepaired;
+  }
+
+  /// What the whole tool does at the end with all faces of its shape, which is the solid where the
+  /// modes ask for it: only with those that are not sound, since tolerances only grow.
+  void finish() {
+    const bool areParametersWanted = std::exchange(whole_.FixSameParameterMode(), 0) != 0;
+    const bool areVerticesWanted = std::exchange(whole_.FixVertexTolMode(), 0) != 0;
+    int count = 0;
+    TopoDS_Compound others;
+    BRep_Builder().MakeCompound(others);
+    for (TopExp_Explorer it(Context()->Apply(myShape), TopAbs_FACE); it.More(); it.Next(), ++count)
+      if (!sound_.contains(it.Current().TShape().get())) BRep_Builder().Add(others, it.Current());
+    if (areParametersWanted) ShapeFix::SameParameter(others, false);
+    if (!areVerticesWanted || count < 2) return;
+    const Handle(ShapeFix_Edge) fix = whole_.FixEdgeTool();
+    for (TopoDS_Iterator face(others); face.More(); face.Next())
+      for (TopExp_Explorer it(face.Value(), TopAbs_EDGE); it.More(); it.Next())
+        fix->FixVertexTolerance(TopoDS::Edge(it.Current()), TopoDS::Face(face.Value()));
+  }
+
+  ShapeFix_Shape& whole_;
+  std::unordered_set<const TopoDS_TShape*> sound_;
+};
+
+class QuickShape final : public ShapeFix_Shape {
+ public:
+  QuickShape() {
+    myFixSolid = new QuickSolid(*this);
     const Handle(ShapeBuild_ReShape) context = new QuickReShape;
     context->ModeConsiderLocation() = true;  // as in the context that the tool would make itself
-    fix->SetContext(context);
-    return fix;
+    SetContext(context);
   }
+};
+
+class QuickTools final : public ShapeAlgo_ToolContainer {
+ public:
+  Handle(ShapeFix_Shape) FixShape() const override { return new QuickShape; }
 };
 
 }  // namespace

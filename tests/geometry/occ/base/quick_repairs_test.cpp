@@ -2,9 +2,13 @@
 #include "geometry/occ/base/quick_repairs.h"
 
 #include <gtest/gtest.h>
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <STEPControl_Reader.hxx>
 #include <ShapeAlgo.hxx>
 #include <ShapeAlgo_AlgoContainer.hxx>
 #include <ShapeAlgo_ToolContainer.hxx>
@@ -14,6 +18,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -132,6 +138,69 @@ TEST(QuickRepairs, KeepsTheToolsOfTheProgram) {
   const WithTools tools(own);
   repairShapesQuickly();
   EXPECT_EQ(tools.now(), own);
+}
+
+/// What OpenCASCADE's reader makes of a STEP file, as text.
+std::string readWith(const Handle(ShapeAlgo_ToolContainer) & tools, const std::string& step) {
+  const WithTools used(tools);
+  const testing::TestFile file("model.step", step);
+  STEPControl_Reader reader;
+  if (reader.ReadFile(file.path().c_str()) != IFSelect_RetDone) return "not read";
+  reader.TransferRoots();
+  std::ostringstream text;
+  if (reader.NbShapes() > 0) BRepTools::Write(reader.OneShape(), text);
+  return text.str();
+}
+
+Handle(ShapeAlgo_ToolContainer) quickTools() {
+  repairShapesQuickly();
+  return WithTools::now();
+}
+
+/// With plane faces with and without holes, some of which touch curved ones.
+std::vector<TopoDS_Shape> solids() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(3, 4, 5).Solid();
+  const gp_Ax2 upwards({1, 2, -1}, {0, 0, 1});
+  const TopoDS_Shape drilled =
+      BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeCylinder(upwards, 0.5, 9).Solid());
+  const TopoDS_Shape pierced =
+      BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeBox({1, 1, -1}, {2, 2, 9}).Solid());
+  const TopoDS_Shape hollow =
+      BRepAlgoAPI_Cut(box, BRepPrimAPI_MakeBox({1, 1, 1}, {2, 2, 2}).Solid());
+  return {box, drilled, pierced, hollow, twoBoxes()};
+}
+
+TEST(QuickRepairs, LeaveOutOnlyFacesThatNeedNone) {
+  const auto quick = quickTools();
+  const Handle(ShapeAlgo_ToolContainer) plain = new ShapeAlgo_ToolContainer;
+  for (const TopoDS_Shape& solid : solids()) {
+    const std::string step = testing::inStep(solid);
+    EXPECT_EQ(readWith(quick, step), readWith(plain, step));
+  }
+}
+
+TEST(QuickRepairs, MakeTheSameOfFaultyFiles) {
+  const auto quick = quickTools();
+  const Handle(ShapeAlgo_ToolContainer) plain = new ShapeAlgo_ToolContainer;
+  // Each in turn: a face, a boundary or an edge turned around, a point moved.
+  const std::vector<std::pair<std::string, std::string>> faults = {{".T.)", ".F.)"},
+                                                                   {"(1.,1.,", "(1.,1.001,"},
+                                                                   {"(3.,4.,", "(3.,4.0000002,"},
+                                                                   {"(3.,0.,", "(3.,4.,"},
+                                                                   {",0.5)", ",0.50001)"}};
+  int count = 0;
+  for (const TopoDS_Shape& solid : solids()) {
+    const std::string step = testing::inStep(solid);
+    for (const auto& [sound, faulty] : faults) {
+      for (std::size_t at = step.find(sound); at != std::string::npos;
+           at = step.find(sound, at + 1), ++count) {
+        std::string text = step;
+        text.replace(at, sound.size(), faulty);
+        EXPECT_EQ(readWith(quick, text), readWith(plain, text)) << faulty << " at " << at;
+      }
+    }
+  }
+  EXPECT_GT(count, 200);
 }
 
 TEST(QuickRepairs, AreUsedByTheReaders) {
