@@ -22,6 +22,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "engine/base/elementary.h"
 #include "engine/base/point.h"
 
 namespace af2::geometry {
@@ -185,7 +186,7 @@ bool PlaneFace::add(const TopoDS_Edge& edge, TopoDS_Vertex& from, TopoDS_Vertex&
     if (offPlane(round.Location()) + 2 * radius * lean > tolerance) return false;
     if (!(angle * radius > kLeastLength && angle < 2 * std::numbers::pi + 1e-9)) return false;
     const int count = std::max(static_cast<int>(std::ceil(angle / kPieceAngle)), 1);
-    addPieces(*curve, first, last, count, radius * (1 - std::cos(angle / count / 2)));
+    addPieces(*curve, first, last, count, radius * (1 - cosine(angle / count / 2)));
   } else {
     return false;
   }
