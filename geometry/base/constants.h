@@ -12,8 +12,8 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 /// Details smaller than this share of the wanted size are invisible in a mesh. Keeping them would
 /// take hundreds of times more elements around them, or leave useless elements.
 inline constexpr double kUnseen = 5e-5;
-/// The same for slivers between faces that meet when the sliver is closed.
-inline constexpr double kUnseenSliver = 3e-4;
+/// The same for slivers between faces that meet when the sliver is closed, and for small steps.
+inline constexpr double kUnseenSliver = 1e-3;
 
 /// Elements with an angle below this, in degrees, are hardly usable.
 inline constexpr double kUselessAngle = 0.7;

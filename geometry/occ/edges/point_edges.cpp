@@ -4,8 +4,10 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <optional>
 
 #include "geometry/base/constants.h"
+#include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/edges/edge_parts.h"
 
 namespace af2::geometry {
@@ -22,30 +24,71 @@ constexpr double kBlur = 1e-10;
 /// Vertices with tolerances beyond this share of the model are damaged.
 constexpr double kMaxTolerance = 0.01;
 
-/// Whether a face goes on beyond an edge as a strip: edges leave both of its ends side by side.
-bool beginsStrip(const ModelShape& model, int face, std::size_t edge, const std::vector<Ends>& ends,
-                 const std::vector<EdgeSamples>& samples) {
+/// The two edges of a face that leave the ends of an edge side by side.
+struct Strip {
+  int face = 0;
+  EdgeEnd one, other;
+};
+
+/// How a face goes on beyond an edge, if it does so as a strip.
+std::optional<Strip> stripBeyond(const ModelShape& model, int face, std::size_t edge,
+                                 const std::vector<Ends>& ends,
+                                 const std::vector<EdgeSamples>& samples) {
   constexpr double kAlong = 0.985;  // cosine of ten degrees
   const auto atPoint =
       endsByPoint(model.edgesOfFaces[static_cast<std::size_t>(face) - 1], ends, samples);
-  const auto leavesAlong = [&](const Point3& direction) {
-    return std::ranges::any_of(atPoint.at(ends[edge].last), [&](EdgeEnd other) {
-      return other.edge != edge && dot(direction, directionFrom(other, samples)) > kAlong;
-    });
-  };
-  return std::ranges::any_of(atPoint.at(ends[edge].first), [&](EdgeEnd one) {
-    return one.edge != edge && leavesAlong(directionFrom(one, samples));
-  });
+  for (const EdgeEnd& one : atPoint.at(ends[edge].first))
+    for (const EdgeEnd& other : atPoint.at(ends[edge].last))
+      if (one.edge != edge && other.edge != edge &&
+          dot(directionFrom(one, samples), directionFrom(other, samples)) > kAlong)
+        return Strip{face, one, other};
+  return std::nullopt;
 }
 
-/// Between faces one of which is no strip. Where both are, as at the corner of a thin plate, what
-/// is beyond their other edges would meet at no angle.
+/// The outward normals, of any length, of the faces beyond the side of a strip, where it begins.
+std::vector<Point3> normalsBeyond(const ModelShape& model, int strip, const EdgeEnd& side,
+                                  const std::vector<EdgeSamples>& samples) {
+  const std::vector<EdgePiece>& pieces = samples[side.edge].pieces;
+  const double parameter =
+      side.isStart ? pieces.front().parameters.front() : pieces.back().parameters.back();
+  std::vector<Point3> normals;
+  for (const int id : model.facesOfEdges[side.edge]) {
+    if (id == strip) continue;
+    const TopoDS_Face face = model.face(id);
+    const Point3 normal = normalOnEdge(
+        model.surface(id), TopoDS::Face(face.Oriented(TopAbs_FORWARD)),
+        TopoDS::Edge(model.edge(static_cast<int>(side.edge) + 1).Oriented(TopAbs_FORWARD)),
+        parameter);
+    normals.push_back((face.Orientation() == TopAbs_REVERSED ? -1. : 1.) * normal);
+  }
+  return normals;
+}
+
+/// Whether the faces on both sides of a strip would fold over each other if it were closed, as the
+/// sides of a thin plate would. At a step they would be one.
+bool wouldFold(const ModelShape& model, const Strip& strip,
+               const std::vector<EdgeSamples>& samples) {
+  constexpr double kFold = -0.5;  // cosine of 120 degrees
+  const std::vector<Point3> ones = normalsBeyond(model, strip.face, strip.one, samples),
+                            others = normalsBeyond(model, strip.face, strip.other, samples);
+  if (ones.empty() || others.empty()) return true;
+  for (const Point3& one : ones)
+    for (const Point3& other : others)
+      if (!(dot(one, other) > kFold * length(one) * length(other))) return true;
+  return false;
+}
+
+/// Between faces one of which is no strip, or where nothing folds if all are closed.
 bool endsSliver(const ModelShape& model, std::size_t edge, const std::vector<Ends>& ends,
                 const std::vector<EdgeSamples>& samples) {
   const std::vector<int>& faces = model.facesOfEdges[edge];
-  return ends[edge].first != ends[edge].last && faces.size() > 1 &&
-         !std::ranges::all_of(
-             faces, [&](int face) { return beginsStrip(model, face, edge, ends, samples); });
+  if (ends[edge].first == ends[edge].last || faces.size() < 2) return false;
+  std::vector<Strip> strips;
+  for (const int face : faces)
+    if (const auto strip = stripBeyond(model, face, edge, ends, samples)) strips.push_back(*strip);
+  return strips.size() < faces.size() || std::ranges::none_of(strips, [&](const Strip& strip) {
+           return wouldFold(model, strip, samples);
+         });
 }
 
 }  // namespace

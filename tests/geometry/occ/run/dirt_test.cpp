@@ -241,7 +241,7 @@ TEST(Dirt, AFaceThatIsTurnedIsMeshedAsItLies) {
 }
 
 TEST(Dirt, TinyStepsAreKept) {
-  for (const double tiny : {1e-2, 1e-4}) {
+  for (const double tiny : {1e-2, 4e-4}) {
     SCOPED_TRACE(tiny);
     const ModelMesh result = mesh(testing::tinyStep(tiny), 0.3);
     expectSound(result, 6, 0.02);
@@ -252,7 +252,7 @@ TEST(Dirt, TinyStepsAreKept) {
 
 /// The step has no width, but those above and below it share its edge, so the mesh is closed.
 TEST(Dirt, AStepThatCannotBeSeenIsNone) {
-  for (const double tiny : {1e-6, 6e-5}) {
+  for (const double tiny : {1e-6, 6e-5, 2.9e-4}) {
     SCOPED_TRACE(tiny);
     const ModelMesh result = mesh(testing::tinyStep(tiny), 0.3);
     expectSound(result, 6, 1e-3);
@@ -322,6 +322,27 @@ TEST(Dirt, AThinPlateKeepsItsSliversOnTheSides) {
   const ModelMesh result = mesh(BRepPrimAPI_MakeBox(1, 1, 1e-2).Shape(), 0.25);
   expectSound(result, 2 + 4e-2);
   EXPECT_NEAR(volumeOf(result), 1e-2, 1e-12);
+}
+
+/// A pad on a block, or a pocket in it, that is too flat to be seen.
+TEST(Dirt, AStepAroundAPadIsClosed) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(4, 4, 2).Shape();
+  const TopoDS_Shape pad = BRepPrimAPI_MakeBox({1, 1, 1}, {3, 3, 2.0008}).Shape();
+  const TopoDS_Shape pocket = BRepPrimAPI_MakeBox({1, 1, 1.9992}, {3, 3, 3}).Shape();
+  for (const TopoDS_Shape& shape :
+       {BRepAlgoAPI_Fuse(block, pad).Shape(), BRepAlgoAPI_Cut(block, pocket).Shape()}) {
+    const ModelMesh result = mesh(shape, 1);
+    expectSound(result, 64, 1e-3);
+    EXPECT_EQ(testing::eulerNumber(result), 2);
+    EXPECT_LT(result.elements.size(), 300u);
+  }
+}
+
+/// Its sides would fall together.
+TEST(Dirt, AStepThatIsAPlateIsNot) {
+  const ModelMesh result = mesh(BRepPrimAPI_MakeBox(0.1, 0.1, 8e-5).Shape(), 0.1);
+  expectSound(result, 2e-2 + 4 * 0.1 * 8e-5);
+  EXPECT_NEAR(volumeOf(result), 8e-7, 1e-12);
 }
 
 TEST(Dirt, EdgesGetTheirCurvesFromTheFace) {
