@@ -27,6 +27,7 @@
 #include "geometry/occ/step/step_document.h"
 #include "geometry/occ/step/step_groups.h"
 #include "geometry/occ/step/step_omissions.h"
+#include "geometry/occ/step/without_checks.h"
 
 namespace af2::geometry {
 
@@ -121,6 +122,7 @@ IFSelect_ReturnStatus readInto(STEPControl_Reader& reader, const std::filesystem
 
 ReadShape readStep(const std::filesystem::path& path) {
   STEPControl_Reader reader;
+  const WithoutChecks unchecked;
   const ReaderSetting unit("xstep.cascade.unit", "MM");
   const bool isUtf8 = isUtf8File(path);
   const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
