@@ -2,20 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/base/error.h"
 #include "geometry/faceted/noise.h"
 
 namespace af2::geometry {
 namespace {
-
-[[noreturn]] void refuse(const Facets& facets, HalfEdge g, HalfEdge h) {
-  const Point3& p = facets.vertices[startOf(facets.triangles, g)];
-  throw InputError(facets.name + ": triangles " + std::to_string(g / 3 + 1) + " and " +
-                   std::to_string(h / 3 + 1) + " near (" + std::to_string(p.x) + ", " +
-                   std::to_string(p.y) + ", " + std::to_string(p.z) +
-                   ") have opposite orientations, and no reversal makes all triangles match: the "
-                   "surface has only one side");
-}
 
 /// The longest side of a triangle whose third corner is close to it; else none.
 HalfEdge baseOfCap(const Facets& facets, std::uint32_t t) {
@@ -52,19 +42,9 @@ std::vector<Point3> normalsOf(const Facets& facets, const std::vector<HalfEdge>&
 
 }  // namespace
 
-std::vector<HalfEdge> orientedTwins(const Facets& facets) {
-  const HalfEdges sides(facets.triangles);
-  const auto start = [&](HalfEdge h) { return startOf(facets.triangles, h); };
-  sides.forEachEdge([&](const FacetEdge&, std::span<const HalfEdge> halves) {
-    if (halves.size() == 2 && start(halves[0]) == start(halves[1]))
-      refuse(facets, halves[0], halves[1]);
-  });
-  return sides.twins();
-}
-
 FacetDirections directionsOf(const Facets& facets,
                              const std::function<double(const Point3&)>& sizeAt) {
-  const std::vector<HalfEdge> twins = orientedTwins(facets);
+  const std::vector<HalfEdge> twins = HalfEdges(facets.triangles).orientedTwins();
   return withoutNoise(facets, twins, normalsOf(facets, twins), sizeAt);
 }
 

@@ -1,4 +1,4 @@
-// The orientation and the normals of the triangles of a surface.
+// The normals of the triangles of a surface.
 // Not installed.
 #pragma once
 
@@ -9,9 +9,6 @@
 #include "geometry/faceted/patches.h"
 
 namespace af2::geometry {
-
-/// Twins, by half-edge. Throws InputError if neighbouring triangles have opposite orientations.
-std::vector<HalfEdge> orientedTwins(const Facets& facets);
 
 /// Normals from which errors by rounding and noise are removed.
 ///

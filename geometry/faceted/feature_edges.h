@@ -21,8 +21,7 @@ class FeatureEdges {
     double across = 0;  ///< the diagonal of the box around it
   };
 
-  /// All arguments must outlive this. Throws InputError if neighbouring triangles have opposite
-  /// orientations.
+  /// All arguments must outlive this.
   FeatureEdges(const Facets& facets, const FacetDirections& directions, const FeatureLimits& limits,
                const std::set<FacetEdge>& forced);
 

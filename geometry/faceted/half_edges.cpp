@@ -7,7 +7,11 @@ namespace af2::geometry {
 HalfEdges::HalfEdges(const FacetTriangles& triangles) {
   std::vector<std::pair<FacetEdge, HalfEdge>> all;
   all.reserve(3 * triangles.size());
-  for (HalfEdge h = 0; h < 3 * triangles.size(); ++h) all.emplace_back(edgeOf(triangles, h), h);
+  isForward_.reserve(all.capacity());
+  for (HalfEdge h = 0; h < 3 * triangles.size(); ++h) {
+    all.emplace_back(edgeOf(triangles, h), h);
+    isForward_.push_back(startOf(triangles, h) < endOf(triangles, h));
+  }
   std::ranges::sort(all);
   halves_.reserve(all.size());
   for (const auto& [edge, h] : all) {
@@ -28,6 +32,16 @@ std::vector<HalfEdge> HalfEdges::twins() const {
     twins[halves[1]] = halves[0];
   });
   return twins;
+}
+
+std::vector<HalfEdge> HalfEdges::orientedTwins() const {
+  std::vector<HalfEdge> all = twins();
+  for (HalfEdge h = 0; h < all.size(); ++h) {
+    if (all[h] == kNoHalfEdge || isForward_[h] != isForward_[all[h]]) continue;
+    all[all[h]] = kNoHalfEdge;
+    all[h] = kNoHalfEdge;
+  }
+  return all;
 }
 
 std::vector<HalfEdge> HalfEdges::boundary() const {

@@ -22,8 +22,7 @@ AF2_EXPORT DomainModel facetedModel(const Facets& facets, const MeshingOptions& 
 ///
 /// check  is called with the model before it is meshed, and may throw
 ///
-/// Throws InputError for a size that is not positive, or if neighbouring triangles have opposite
-/// orientations.
+/// Throws InputError for a size that is not positive.
 AF2_EXPORT ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                                  const MeshingOptions& options,
                                  const std::function<void(const DomainModel&)>& check = {});

@@ -55,12 +55,10 @@ struct FeatureLimits {
 };
 
 /// Feature edges are those at which the surface turns by more than the angle, those between parts
-/// of the file, those with one triangle or with more than two, and those in the middle of small
-/// roundings. Corners are where a curve of feature edges turns by more than the angle, and where
-/// several curves meet. A patch with little boundary for its area, e.g. a sphere, is cut in two by
-/// a plane (cutAcross).
-///
-/// Throws InputError if neighbouring triangles have opposite orientations.
+/// of the file, those with one triangle, with more than two or with two of opposite orientations,
+/// and those in the middle of small roundings. Corners are where a curve of feature edges turns by
+/// more than the angle, and where several curves meet. A patch with little boundary for its area,
+/// e.g. a sphere, is cut in two by a plane (cutAcross).
 PatchedFacets findPatches(Facets facets, const FeatureLimits& limits);
 
 /// The same, with further edges between patches.

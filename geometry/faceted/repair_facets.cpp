@@ -39,8 +39,10 @@ class Repair {
     turn();
     partTouching(facets_);
     dropTwins(Twins::BothSides);
+    turn();  // sheets whose triangles were there from both sides
     if (twins_ > 0)
       note(twins_, "triangles had the same corners as others and were left out", *twinPlace_);
+    noteOneSided();
     noteHoles();
   }
 
@@ -154,6 +156,19 @@ class Repair {
   std::vector<HalfEdge> openEdges() const { return HalfEdges(facets_.triangles).boundary(); }
 
   /// They are no fault of a sheet, but of what is meant to be a solid.
+  void noteOneSided() {
+    const HalfEdges edges(facets_.triangles);
+    const std::vector<HalfEdge> all = edges.twins(), oriented = edges.orientedTwins();
+    std::vector<HalfEdge> against;
+    for (HalfEdge h = 0; h < all.size(); ++h)
+      if (all[h] != oriented[h] && h < all[h]) against.push_back(h);
+    if (against.empty()) return;
+    note(against.size(),
+         "edges are kept between triangles of opposite orientations, since no reversal makes all "
+         "match",
+         at(startOf(against.front())));
+  }
+
   void noteHoles() {
     const std::vector<HalfEdge> open = openEdges();
     if (open.empty()) return;

@@ -175,6 +175,7 @@ constexpr const char *kAsFileSays = "Default", *kInParameters = "2DUse_Forced";
 TopoDS_Shape transferred(IGESControl_Reader& reader, const std::filesystem::path& path,
                          const char* curves) {
   const ReaderSetting unit("xstep.cascade.unit", "MM");
+  const WithoutSmoothEdges smooth;
   const ReaderSetting mode("read.surfacecurve.mode", curves);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw InputError(path.string() +

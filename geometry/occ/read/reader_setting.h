@@ -24,4 +24,20 @@ class ReaderSetting {
   int before_;
 };
 
+/// Readers would compare the normals of both faces at every edge to say which edges are smooth, a
+/// thirtieth of the time of reading. Nothing here asks for that.
+class WithoutSmoothEdges {
+ public:
+  WithoutSmoothEdges() : before_(Interface_Static::RVal(kAngle)) {
+    Interface_Static::SetRVal(kAngle, 0);
+  }
+  WithoutSmoothEdges(const WithoutSmoothEdges&) = delete;
+  WithoutSmoothEdges& operator=(const WithoutSmoothEdges&) = delete;
+  ~WithoutSmoothEdges() { Interface_Static::SetRVal(kAngle, before_); }
+
+ private:
+  static constexpr const char* kAngle = "read.encoderegularity.angle";
+  double before_;
+};
+
 }  // namespace af2::geometry

@@ -124,6 +124,7 @@ ReadShape readStep(const std::filesystem::path& path) {
   STEPControl_Reader reader;
   const WithoutChecks unchecked;
   const ReaderSetting unit("xstep.cascade.unit", "MM");
+  const WithoutSmoothEdges smooth;
   const bool isUtf8 = isUtf8File(path);
   const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
   if (readInto(reader, path) != IFSelect_RetDone)

@@ -199,14 +199,6 @@ TEST(FacetFaults, LikeVerticesOnlyOneSideOfAnEdgeHasAreGivenToBoth) {
   expectABox(facets);
 }
 
-TEST(FacetFaults, LikeASurfaceWithOneSideAreRefused) {
-  // A Moebius strip of six vertices.
-  const Facets strip = read(
-      "v 0 0 0\nv 0 0 1\nv 2 0 0\nv 2 0 1\nv 1 2 0\nv 1 2 1\n"
-      "f 1 2 4\nf 1 4 3\nf 3 4 6\nf 3 6 5\nf 5 6 1\nf 5 1 2\n");
-  EXPECT_THROW(findPatches(strip, {pi / 4}), InputError);
-}
-
 TEST(FacetFaults, LikeHolesAreTold) {
   std::string open = kBoxFaces;
   open.erase(open.find("f 5 6 7 8\n"), 10);
