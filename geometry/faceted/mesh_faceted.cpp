@@ -115,8 +115,8 @@ class CutMesher {
     if (isInTriangles) meshOnceMore(kBriefly);
     if (isBetter(first))
       best_ = std::move(first);
-    else  // what fails in triangles crosses others in the model itself
-      isHopeless_ = isInTriangles && failedArea(best_.mesh) > 0;
+    else  // what fails in triangles, or has small angles there, does so in the file
+      isHopeless_ = isInTriangles;
   }
 
   /// The curved patches that failed are in pieces; nothing if there is nothing to cut.

@@ -90,8 +90,11 @@ std::string noteOf(const std::map<int, double>& sizes) {
 
 ModelMesh meshFinerWhereFailed(const FaceSource& source, MeshingOptions options,
                                const MakeMesh& make) {
+  constexpr int kLeastRetries = 2;  // who asks for fewer has other tries in mind
   ModelMesh mesh = make(options);
-  if (options.strictRules || options.mostRetries == 0 || options.stop.stop_requested()) return mesh;
+  if (options.strictRules || options.mostRetries.value_or(kLeastRetries) < kLeastRetries ||
+      options.stop.stop_requested())
+    return mesh;
   const std::vector<int> failed = coarseFailures(source, mesh);
   if (failed.empty()) return mesh;
   const std::map<int, double> sizes = sizesThatWork(options, failed, make);
