@@ -86,7 +86,7 @@ struct MeshingOptions {
   /// without elements that no rule makes, and without further tries.
   bool strictRules = false;
   /// Maximum number of rounds in which faces that failed or came out poor are retried; empty: as
-  /// many as usually help.
+  /// many as usually help. With fewer than two, finer sizes are not tried, either.
   std::optional<int> mostRetries;
   std::stop_token stop;
   /// The observer of one face, or null; called on the thread that meshes the face.

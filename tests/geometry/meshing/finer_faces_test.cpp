@@ -139,13 +139,16 @@ TEST_F(FinerFaces, AreNotTriedIfTheyAreFineAlready) {
   expectNotTried(squares);
 }
 
-TEST_F(FinerFaces, AreNotTriedWithoutRetries) {
-  FailingSquares squares({{2, 0.3}}), others({{2, 0.3}});
-  options.mostRetries = 0;
-  expectNotTried(squares);
+TEST_F(FinerFaces, AreNotTriedWithFewRetries) {
+  for (const int retries : {0, 1}) {
+    FailingSquares squares({{2, 0.3}});
+    options.mostRetries = retries;
+    expectNotTried(squares);
+  }
+  FailingSquares squares({{2, 0.3}});
   options.mostRetries = {};
   options.strictRules = true;
-  expectNotTried(others);
+  expectNotTried(squares);
 }
 
 }  // namespace
