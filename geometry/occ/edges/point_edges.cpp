@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/base/error.h"
 #include "geometry/base/constants.h"
 #include "geometry/occ/edges/edge_on_face.h"
 #include "geometry/occ/edges/edge_parts.h"
@@ -45,22 +46,30 @@ std::optional<Strip> stripBeyond(const ModelShape& model, int face, std::size_t 
   return std::nullopt;
 }
 
-/// The outward normals, of any length, of the faces beyond the side of a strip, where it begins.
+/// The outward normal, of any length, of a face at the end of an edge; 0 if unknown.
+Point3 normalAt(const ModelShape& model, int id, const EdgeEnd& end,
+                const std::vector<EdgeSamples>& samples) {
+  const std::vector<EdgePiece>& pieces = samples[end.edge].pieces;
+  const double parameter =
+      end.isStart ? pieces.front().parameters.front() : pieces.back().parameters.back();
+  const TopoDS_Face face = model.face(id);
+  const TopoDS_Edge edge = model.edge(static_cast<int>(end.edge) + 1);
+  try {
+    const Point3 normal =
+        normalOnEdge(model.surface(id), TopoDS::Face(face.Oriented(TopAbs_FORWARD)),
+                     TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)), parameter);
+    return (face.Orientation() == TopAbs_REVERSED ? -1. : 1.) * normal;
+  } catch (const GeometryError&) {  // a face without a surface fails by itself
+    return {};
+  }
+}
+
+/// Of the faces beyond the side of a strip, where it begins.
 std::vector<Point3> normalsBeyond(const ModelShape& model, int strip, const EdgeEnd& side,
                                   const std::vector<EdgeSamples>& samples) {
-  const std::vector<EdgePiece>& pieces = samples[side.edge].pieces;
-  const double parameter =
-      side.isStart ? pieces.front().parameters.front() : pieces.back().parameters.back();
   std::vector<Point3> normals;
-  for (const int id : model.facesOfEdges[side.edge]) {
-    if (id == strip) continue;
-    const TopoDS_Face face = model.face(id);
-    const Point3 normal = normalOnEdge(
-        model.surface(id), TopoDS::Face(face.Oriented(TopAbs_FORWARD)),
-        TopoDS::Edge(model.edge(static_cast<int>(side.edge) + 1).Oriented(TopAbs_FORWARD)),
-        parameter);
-    normals.push_back((face.Orientation() == TopAbs_REVERSED ? -1. : 1.) * normal);
-  }
+  for (const int id : model.facesOfEdges[side.edge])
+    if (id != strip) normals.push_back(normalAt(model, id, side, samples));
   return normals;
 }
 

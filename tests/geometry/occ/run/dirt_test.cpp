@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -336,6 +337,31 @@ TEST(Dirt, AStepAroundAPadIsClosed) {
     EXPECT_EQ(testing::eulerNumber(result), 2);
     EXPECT_LT(result.elements.size(), 300u);
   }
+}
+
+/// It is not known whether the faces beyond the step would fold then.
+TEST(Dirt, AStepBesideAFaceWithoutASurfaceStays) {
+  const BRep_Builder builder;
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(4, 4, 2).Shape();
+  const TopoDS_Shape pad = BRepPrimAPI_MakeBox({1, 1, 1}, {3, 3, 2.0008}).Shape();
+  TopoDS_Compound faces;
+  builder.MakeCompound(faces);
+  for (TopExp_Explorer it(BRepAlgoAPI_Fuse(block, pad).Shape(), TopAbs_FACE); it.More();
+       it.Next()) {
+    TopoDS_Face face = TopoDS::Face(it.Current());
+    Bnd_Box box;
+    BRepBndLib::Add(face, box);
+    if (box.CornerMin().Z() > 2.0005) {  // the top of the pad
+      const TopoDS_Face top = face;
+      face.Nullify();
+      builder.MakeFace(face);
+      for (TopoDS_Iterator wire(top); wire.More(); wire.Next()) builder.Add(face, wire.Value());
+    }
+    builder.Add(faces, face);
+  }
+  const ModelMesh result = mesh(faces, 1);
+  EXPECT_EQ(failedFaces(result), 1u);
+  EXPECT_NEAR(areaOf(result), 60, 0.01);
 }
 
 /// Its sides would fall together.
