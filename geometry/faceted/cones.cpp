@@ -54,7 +54,7 @@ class ConeCut {
         for (std::size_t i = 1; i < curve.size(); ++i)
           kept.insert(std::minmax(curve[i - 1], curve[i]));
       }
-    twins_ = HalfEdges(facets_.triangles).orientedTwins();
+    twins_ = orientedTwins(facets_.triangles);
     for (HalfEdge h = 0; h < twins_.size(); ++h)
       if (kept.contains(edgeOf(h))) twins_[h] = kNoHalfEdge;
   }

@@ -44,7 +44,7 @@ std::vector<Point3> normalsOf(const Facets& facets, const std::vector<HalfEdge>&
 
 FacetDirections directionsOf(const Facets& facets,
                              const std::function<double(const Point3&)>& sizeAt) {
-  const std::vector<HalfEdge> twins = HalfEdges(facets.triangles).orientedTwins();
+  const std::vector<HalfEdge> twins = orientedTwins(facets.triangles);
   return withoutNoise(facets, twins, normalsOf(facets, twins), sizeAt);
 }
 

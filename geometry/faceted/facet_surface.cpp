@@ -26,7 +26,7 @@ struct FacetSurface::Data {
     for (const std::uint32_t t : patch.triangles) normalsOfTriangles.push_back(patched.normals[t]);
     findNormals(normalsOfTriangles);
     findCurvatures();
-    twins = HalfEdges(triangles).orientedTwins();
+    twins = orientedTwins(triangles);
     if (drawing == Drawing::None) return;
     if (auto places = flatten(vertices, triangles))
       layout.emplace(*std::move(places), vertices, triangles);

@@ -61,7 +61,7 @@ FeatureCurves FeatureEdges::curves() const {
 }
 
 void FeatureEdges::findTwins() {
-  twin_ = partner_ = HalfEdges(facets_.triangles).orientedTwins();
+  twin_ = partner_ = orientedTwins(facets_.triangles);
   findSpecks();
   std::vector<bool> isFeatureEdge(twin_.size(), false);
   for (HalfEdge h = 0; h < twin_.size(); ++h)

@@ -7,11 +7,7 @@ namespace af2::geometry {
 HalfEdges::HalfEdges(const FacetTriangles& triangles) {
   std::vector<std::pair<FacetEdge, HalfEdge>> all;
   all.reserve(3 * triangles.size());
-  isForward_.reserve(all.capacity());
-  for (HalfEdge h = 0; h < 3 * triangles.size(); ++h) {
-    all.emplace_back(edgeOf(triangles, h), h);
-    isForward_.push_back(startOf(triangles, h) < endOf(triangles, h));
-  }
+  for (HalfEdge h = 0; h < 3 * triangles.size(); ++h) all.emplace_back(edgeOf(triangles, h), h);
   std::ranges::sort(all);
   halves_.reserve(all.size());
   for (const auto& [edge, h] : all) {
@@ -34,22 +30,22 @@ std::vector<HalfEdge> HalfEdges::twins() const {
   return twins;
 }
 
-std::vector<HalfEdge> HalfEdges::orientedTwins() const {
-  std::vector<HalfEdge> all = twins();
-  for (HalfEdge h = 0; h < all.size(); ++h) {
-    if (all[h] == kNoHalfEdge || isForward_[h] != isForward_[all[h]]) continue;
-    all[all[h]] = kNoHalfEdge;
-    all[h] = kNoHalfEdge;
-  }
-  return all;
-}
-
 std::vector<HalfEdge> HalfEdges::boundary() const {
   std::vector<HalfEdge> boundary;
   forEachEdge([&](const FacetEdge&, std::span<const HalfEdge> halves) {
     if (halves.size() == 1) boundary.push_back(halves[0]);
   });
   return boundary;
+}
+
+std::vector<HalfEdge> orientedTwins(const FacetTriangles& triangles) {
+  std::vector<HalfEdge> twins = HalfEdges(triangles).twins();
+  for (HalfEdge h = 0; h < twins.size(); ++h) {
+    const HalfEdge twin = twins[h];
+    if (twin != kNoHalfEdge && startOf(triangles, h) == startOf(triangles, twin))
+      twins[h] = twins[twin] = kNoHalfEdge;
+  }
+  return twins;
 }
 
 }  // namespace af2::geometry

@@ -63,9 +63,6 @@ class HalfEdges {
   /// By half-edge: its twin, or kNoHalfEdge.
   std::vector<HalfEdge> twins() const;
 
-  /// The same without pairs in the same direction, as a surface with one side has.
-  std::vector<HalfEdge> orientedTwins() const;
-
   /// The half-edges that are alone at their edge.
   std::vector<HalfEdge> boundary() const;
 
@@ -73,7 +70,10 @@ class HalfEdges {
   std::vector<FacetEdge> edges_;
   std::vector<std::size_t> first_;  // by edge, and at the end: in halves_
   std::vector<HalfEdge> halves_;
-  std::vector<bool> isForward_;  // by half-edge: from its smaller vertex to the larger one
 };
+
+/// By half-edge: its twin in the other direction, or kNoHalfEdge. Twins in the same direction, as a
+/// surface with one side has, are none.
+std::vector<HalfEdge> orientedTwins(const FacetTriangles& triangles);
 
 }  // namespace af2::geometry

@@ -155,13 +155,12 @@ class Repair {
   /// Edges with one triangle.
   std::vector<HalfEdge> openEdges() const { return HalfEdges(facets_.triangles).boundary(); }
 
-  /// They are no fault of a sheet, but of what is meant to be a solid.
   void noteOneSided() {
-    const HalfEdges edges(facets_.triangles);
-    const std::vector<HalfEdge> all = edges.twins(), oriented = edges.orientedTwins();
+    const std::vector<HalfEdge> twin = HalfEdges(facets_.triangles).twins();
     std::vector<HalfEdge> against;
-    for (HalfEdge h = 0; h < all.size(); ++h)
-      if (all[h] != oriented[h] && h < all[h]) against.push_back(h);
+    for (HalfEdge h = 0; h < twin.size(); ++h)
+      if (twin[h] != kNoHalfEdge && h < twin[h] && startOf(h) == startOf(twin[h]))
+        against.push_back(h);
     if (against.empty()) return;
     note(against.size(),
          "edges are kept between triangles of opposite orientations, since no reversal makes all "
@@ -169,6 +168,7 @@ class Repair {
          at(startOf(against.front())));
   }
 
+  /// They are no fault of a sheet, but of what is meant to be a solid.
   void noteHoles() {
     const std::vector<HalfEdge> open = openEdges();
     if (open.empty()) return;

@@ -106,6 +106,8 @@ class PlaneFace {
   bool add(const TopoDS_Edge& edge, TopoDS_Vertex& from, TopoDS_Vertex& to);
   bool isNear(const gp_Pnt& end, const TopoDS_Vertex& vertex) const;
   void addPieces(const Geom_Curve& curve, double first, double last, int count, double bulge);
+  /// The pieces from the first one on run the other way.
+  void turnAround(std::size_t first);
   bool areEdgesApart() const;
   bool areWiresOriented() const;
   double areaOf(const Wire& wire) const;
@@ -144,9 +146,8 @@ bool PlaneFace::add(const TopoDS_Wire& wire) {
   for (auto piece = begin; piece != pieces_.end(); ++piece) {
     added.min = {std::min(added.min.x, piece->from.x), std::min(added.min.y, piece->from.y)};
     added.max = {std::max(added.max.x, piece->from.x), std::max(added.max.y, piece->from.y)};
-    if (!isForward) std::swap(piece->from, piece->to);
   }
-  if (!isForward) std::reverse(begin, pieces_.end());
+  if (!isForward) turnAround(added.first);
   wires_.push_back(added);
   return true;
 }
@@ -179,7 +180,7 @@ bool PlaneFace::add(const TopoDS_Edge& edge, TopoDS_Vertex& from, TopoDS_Vertex&
   } else if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull()) {
     const gp_Circ& round = circle->Circ();
     const double angle = last - first, radius = round.Radius();
-    // Every quarter, since the circle may lean.
+    // A circle that leans leaves the plane by its radius times no more than the double of this.
     const gp_Vec x(round.XAxis().Direction()), y(round.YAxis().Direction());
     const double lean =
         std::max(std::abs(x.Dot(axes_.Direction())), std::abs(y.Dot(axes_.Direction())));
@@ -191,11 +192,14 @@ bool PlaneFace::add(const TopoDS_Edge& edge, TopoDS_Vertex& from, TopoDS_Vertex&
     return false;
   }
   ++edges_;
-  if (isForward) return true;
-  const auto added = pieces_.begin() + static_cast<std::ptrdiff_t>(begin);
-  std::reverse(added, pieces_.end());
-  for (auto piece = added; piece != pieces_.end(); ++piece) std::swap(piece->from, piece->to);
+  if (!isForward) turnAround(begin);
   return true;
+}
+
+void PlaneFace::turnAround(std::size_t first) {
+  const auto begin = pieces_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::reverse(begin, pieces_.end());
+  for (auto piece = begin; piece != pieces_.end(); ++piece) std::swap(piece->from, piece->to);
 }
 
 bool PlaneFace::isNear(const gp_Pnt& end, const TopoDS_Vertex& vertex) const {

@@ -24,8 +24,8 @@ class ReaderSetting {
   int before_;
 };
 
-/// Readers would compare the normals of both faces at every edge to say which edges are smooth, a
-/// thirtieth of the time of reading. Nothing here asks for that.
+/// Readers would compare the normals of both faces at every edge to say which edges are smooth, up
+/// to a tenth of the time of reading (docs/performance.md). Nothing here asks for that.
 class WithoutSmoothEdges {
  public:
   WithoutSmoothEdges() : before_(Interface_Static::RVal(kAngle)) {

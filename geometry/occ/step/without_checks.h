@@ -7,10 +7,10 @@
 namespace af2::geometry {
 
 /// As long as it lives, entities that have been read are not checked for how others refer to them.
-/// Whoever asks for messages gets to know that an edge is not used twice, after a tenth of the time
-/// of reading (docs/performance.md); what becomes of a shape does not depend on it. Entities that
-/// cannot be read are still told. Construct it after the reader, which sets what is replaced here
-/// and put back at the end.
+/// Whoever asks for messages gets to know that an edge is not used twice, after up to a sixth of
+/// the time of reading (docs/performance.md); what becomes of a shape does not depend on it.
+/// Entities that cannot be read are still told. Construct it after the reader, which sets what is
+/// replaced here and put back at the end.
 class WithoutChecks {
  public:
   WithoutChecks();
