@@ -291,16 +291,14 @@ void Window::include(const Window& other) {
   include(other.highX, other.highY);
 }
 
-CompiledRules::CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel)
-    : set_(rules), scoring_(rules.definition()) {
+CompiledRules::CompiledRules(const RuleSet& rules)
+    : set_(rules),
+      scoring_(rules.definition()),
+      windows_(static_cast<std::size_t>(rules.maxLevel())) {
   rules_.reserve(rules.rules().size());
   for (const AF2Rule& rule : rules.rules()) addRule(rule);
   byLevel_.resize(static_cast<std::size_t>(rules.maxLevel()));
-  for (auto& windows : windows_) windows.resize(static_cast<std::size_t>(rules.maxLevel()));
-  for (int level = onlyLevel.value_or(1); level <= onlyLevel.value_or(rules.maxLevel()); ++level) {
-    collectRules(level);
-    makeWindows(level);
-  }
+  for (int level = 1; level <= rules.maxLevel(); ++level) collectRules(level);
 }
 
 void CompiledRules::addRule(const AF2Rule& rule) {
@@ -337,7 +335,7 @@ void CompiledRules::collectRules(int level) {
   std::ranges::stable_sort(atLevel, {}, &RuleAtLevel::leastScore);
 }
 
-void CompiledRules::makeWindows(int level) {
+void CompiledRules::makeWindows(int level, Windows& windows) const {
   const double tolerance = set_.matchTolerance(level);
   std::array<Window, kBaseLengths.size()> usual, wide;
   Window matched;
@@ -347,16 +345,24 @@ void CompiledRules::makeWindows(int level) {
     for (std::size_t b = 0; b < zones.size(); ++b)
       (at.rule->isWide ? wide : usual)[b].include(zones[b]);
   }
+  windows.usual.clear();  // where an earlier attempt failed
+  windows.withWide.clear();
   for (std::size_t b = 0; b < kBaseLengths.size(); ++b) {
     usual[b].include(matched);
     wide[b].include(usual[b]);
-    windows_[false][indexOf(level)].push_back(usual[b].widened(kWindowMargin));
-    windows_[true][indexOf(level)].push_back(wide[b].widened(kWindowMargin));
+    windows.usual.push_back(usual[b].widened(kWindowMargin));
+    windows.withWide.push_back(wide[b].widened(kWindowMargin));
   }
 }
 
 Window CompiledRules::windowAt(int level, double baseLength, bool withWide) const {
-  const auto& row = windows_[withWide][indexOf(level)];
+  Windows& windows = windows_[indexOf(level)];
+  if (!windows.areMade.load(std::memory_order_acquire))
+    std::call_once(windows.once, [&] {
+      makeWindows(std::clamp(level, 1, set_.maxLevel()), windows);
+      windows.areMade.store(true, std::memory_order_release);
+    });
+  const std::vector<Window>& row = withWide ? windows.withWide : windows.usual;
   const auto bucket = std::lower_bound(kBaseLengths.begin(), kBaseLengths.end(), baseLength);
   if (bucket != kBaseLengths.end())
     return row[static_cast<std::size_t>(bucket - kBaseLengths.begin())];

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -114,8 +116,7 @@ struct RuleAtLevel {
 
 class CompiledRules {
  public:
-  /// onlyLevel  for steps at one level only: no windows are made for the others
-  explicit CompiledRules(const RuleSet& rules, std::optional<int> onlyLevel = std::nullopt);
+  explicit CompiledRules(const RuleSet& rules);
   CompiledRules(const CompiledRules&) = delete;
   CompiledRules& operator=(const CompiledRules&) = delete;
 
@@ -134,14 +135,22 @@ class CompiledRules {
     return static_cast<std::size_t>(std::clamp(level, 1, set_.maxLevel()) - 1);
   }
   void addRule(const AF2Rule& rule);
-  void makeWindows(int level);
   void collectRules(int level);
+
+  /// The windows of a level, by length of the base. Most fronts reach few of the levels, so each
+  /// row is made by the first thread that asks for it.
+  struct Windows {
+    std::vector<Window> usual, withWide;
+    std::once_flag once;
+    std::atomic<bool> areMade = false;
+  };
+  void makeWindows(int level, Windows& windows) const;
 
   const RuleSet& set_;
   RuleScoring scoring_;
   std::vector<CompiledRule> rules_;
   std::vector<std::vector<RuleAtLevel>> byLevel_;  // [level - 1]
-  std::vector<std::vector<Window>> windows_[2];  // [with wide ones][level - 1][base length bucket]
+  mutable std::vector<Windows> windows_;           // [level - 1]
 };
 
 }  // namespace af2

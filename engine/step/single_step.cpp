@@ -154,33 +154,31 @@ class Question {
 }  // namespace
 
 SingleStepper::SingleStepper(const RuleSet& rules)
-    : rules_(rules), byLevel_(static_cast<std::size_t>(rules.maxLevel())) {}
+    : compiled_(std::make_unique<const CompiledRules>(rules)) {}
 
 SingleStepper::~SingleStepper() = default;
 
-const CompiledRules& SingleStepper::compiledFor(const FrontPiece& piece) {
+const CompiledRules& SingleStepper::compiledFor(const FrontPiece& piece) const {
+  const int maxLevel = compiled_->set().maxLevel();
   if (!(piece.size > 0) || !std::isfinite(piece.size))
     throw InputError("piece of front: the size must be a positive number");
-  if (piece.level < 1 || piece.level > rules_.maxLevel())
-    throw InputError("piece of front: the level must be between 1 and " +
-                     std::to_string(rules_.maxLevel()));
-  auto& compiled = byLevel_[static_cast<std::size_t>(piece.level - 1)];
-  if (!compiled) compiled = std::make_unique<const CompiledRules>(rules_, piece.level);
-  return *compiled;
+  if (piece.level < 1 || piece.level > maxLevel)
+    throw InputError("piece of front: the level must be between 1 and " + std::to_string(maxLevel));
+  return *compiled_;
 }
 
-std::optional<std::size_t> SingleStepper::chosenRule(const FrontPiece& piece) {
+std::optional<std::size_t> SingleStepper::chosenRule(const FrontPiece& piece) const {
   Question question(compiledFor(piece), piece);
   const Application* application = question.choose();
   if (!application) return std::nullopt;
   return application->rule->index;
 }
 
-std::vector<RuleRefusal> SingleStepper::obstacles(const FrontPiece& piece) {
+std::vector<RuleRefusal> SingleStepper::obstacles(const FrontPiece& piece) const {
   return Question(compiledFor(piece), piece).obstacles();
 }
 
-SingleStep SingleStepper::take(const FrontPiece& piece) {
+SingleStep SingleStepper::take(const FrontPiece& piece) const {
   Question question(compiledFor(piece), piece);
   SingleStep step;
   step.refusals = question.explain();
@@ -190,7 +188,7 @@ SingleStep SingleStepper::take(const FrontPiece& piece) {
   }
   const auto& edges = question.scene().edges;
   if (step.welded) {
-    const auto middle = static_cast<std::size_t>(rules_.rules()[*step.rule].weldMiddle());
+    const auto middle = static_cast<std::size_t>(compiled_->set().rules()[*step.rule].weldMiddle());
     step.frontAfter =
         frontAfterWeld(edges, step.matched[middle], step.welded->first, step.welded->second);
   } else {

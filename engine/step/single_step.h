@@ -31,8 +31,8 @@ struct SingleStep {
   std::vector<RuleRefusal> refusals;
 };
 
-/// Takes steps with one rule set, which is compiled only once for each level. The rule set must
-/// outlive the stepper. One stepper serves one thread.
+/// Takes steps with one rule set, which is compiled only once. The rule set must outlive the
+/// stepper.
 ///
 /// All functions throw InputError if the piece is not a front: an index out of range, an edge of
 /// length zero, the same edge twice, a base that is not an edge of a chain, a level or size out of
@@ -43,17 +43,16 @@ class AF2_EXPORT SingleStepper {
   ~SingleStepper();
 
   /// Tries all rules of the set at the base edge of a piece of front.
-  SingleStep take(const FrontPiece& piece);
+  SingleStep take(const FrontPiece& piece) const;
   /// The rule that would be applied, none if every rule is refused; less than half the cost.
-  std::optional<std::size_t> chosenRule(const FrontPiece& piece);
+  std::optional<std::size_t> chosenRule(const FrontPiece& piece) const;
   /// Everything that hits the free zone of any match of any rule; a refusal names only the first.
-  std::vector<RuleRefusal> obstacles(const FrontPiece& piece);
+  std::vector<RuleRefusal> obstacles(const FrontPiece& piece) const;
 
  private:
-  const CompiledRules& compiledFor(const FrontPiece& piece);
+  const CompiledRules& compiledFor(const FrontPiece& piece) const;
 
-  const RuleSet& rules_;
-  std::vector<std::unique_ptr<const CompiledRules>> byLevel_;  // [level - 1]; null until needed
+  std::unique_ptr<const CompiledRules> compiled_;
 };
 
 /// One step with a temporary stepper.

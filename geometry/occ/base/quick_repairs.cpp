@@ -23,6 +23,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "geometry/occ/base/outward_shell.h"
 #include "geometry/occ/base/sound_plane_face.h"
 
 namespace af2::geometry {
@@ -63,7 +64,7 @@ class QuickReShape final : public ShapeBuild_ReShape {
   std::unordered_set<const TopoDS_TShape*> replaced_;
 };
 
-/// Leaves out faces that are certainly sound.
+/// Leaves out faces that are certainly sound, and the question what is inside where it is certain.
 class QuickSolid final : public ShapeFix_Solid {
  public:
   /// `whole` is the tool that this one belongs to.
@@ -76,9 +77,12 @@ class QuickSolid final : public ShapeFix_Solid {
       return ShapeFix_Solid::Perform(progress);
     sound_.clear();
     const bool isAnyFaceRepaired = repairFacesOf(shell);
-    const int mode = std::exchange(faces, 0);
+    const bool isOutward = isOneShell(shell) && isOutwardShell(shell);
+    const int faceMode = std::exchange(faces, 0), orientationMode = FixShellOrientationMode();
+    if (isOutward) FixShellOrientationMode() = 0;
     const bool isRepaired = ShapeFix_Solid::Perform(progress);
-    faces = mode;
+    faces = faceMode;
+    FixShellOrientationMode() = orientationMode;
     finish();
     return isAnyFaceRepaired || isRepaired;
   }

@@ -10,6 +10,7 @@ namespace af2::geometry {
 ///   for each wire of a face as well, and each time everything in them was copied first, to be
 ///   thrown away where nothing was replaced. They look first whether anything was.
 /// - Plane faces of solids that are certainly sound are left out.
+/// - Solids that certainly have their material inside are not asked on which side it is.
 ///
 /// Does nothing if the program has set a container of tools of its own.
 void repairShapesQuickly();

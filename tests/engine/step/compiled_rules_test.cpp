@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <thread>
 
 #include "engine/base/error.h"
 #include "tests/support/triangle_rules.h"
@@ -263,6 +264,28 @@ TEST(CompiledRules, WindowGrowsWithTheLevelAndTheBase) {
     const Window window = compiled.windowAt(1, base, true);
     EXPECT_TRUE(window.contains({0, 0, base, 0})) << base;
   }
+}
+
+/// Windows are made when they are first asked for.
+TEST(CompiledRules, WindowsAreTheSameWhicheverThreadAsksFirst) {
+  const auto set = triangleSet();
+  const CompiledRules alone(*set), shared(*set);
+  std::vector<std::jthread> threads;
+  for (int first = 1; first <= 4; ++first)
+    threads.emplace_back([&, first] {
+      for (int step = 0; step < 50; ++step) {
+        const int level = 1 + (step * 7 + first) % 50;
+        const Window window = shared.windowAt(level, 1.3, false);
+        EXPECT_TRUE(window.contains({0, 0, 1.3, 0}));
+      }
+    });
+  threads.clear();
+  for (int level = 1; level <= 50; ++level)
+    for (const bool withWide : {false, true}) {
+      const Window one = alone.windowAt(level, 1.3, withWide);
+      const Window other = shared.windowAt(level, 1.3, withWide);
+      EXPECT_TRUE(one.contains(other) && other.contains(one)) << level;
+    }
 }
 
 /// The free triangle with a zone that reaches up to a height.
