@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "engine/base/error.h"
@@ -36,7 +35,8 @@ class Linker {
  public:
   explicit Linker(std::vector<Chain> chains) : chains_(std::move(chains)) {
     for (std::size_t i = 0; i < chains_.size(); ++i)
-      starting_[chains_[i].corners.front().vertex].push_back(i);
+      starting_.push_back({chains_[i].corners.front().vertex, i});
+    std::ranges::stable_sort(starting_, {}, &Start::vertex);
   }
 
   LinkedLoops link() {
@@ -48,6 +48,11 @@ class Linker {
   }
 
  private:
+  struct Start {
+    VertexId vertex;
+    std::size_t chain;
+  };
+
   std::vector<BoundaryCorner> follow(std::size_t first, std::vector<bool>& used) {
     std::vector<BoundaryCorner> loop;
     std::size_t i = first;
@@ -85,20 +90,17 @@ class Linker {
     const double back = angleTowards(plane, corners[corners.size() - 2].point);
     std::optional<std::size_t> best;
     double bestTurn = 0;
-    const auto found = starting_.find(end.vertex);
-    if (found != starting_.end()) {
-      const bool mayBeSharp = std::ranges::all_of(found->second, [&](std::size_t candidate) {
-        return isOver(candidate, first, used) || isSharpBetween(end, candidate);
-      });
-      for (const std::size_t candidate : found->second) {
-        if (isOver(candidate, first, used)) continue;
-        if (!mayBeSharp && isSharpBetween(end, candidate)) continue;
-        const double turn =
-            clockwise(back, angleTowards(plane, chains_[candidate].corners[1].point));
-        if (best && turn >= bestTurn) continue;
-        best = candidate;
-        bestTurn = turn;
-      }
+    const auto starting = std::ranges::equal_range(starting_, end.vertex, {}, &Start::vertex);
+    const bool mayBeSharp = std::ranges::all_of(starting, [&](const Start& candidate) {
+      return isOver(candidate.chain, first, used) || isSharpBetween(end, candidate.chain);
+    });
+    for (const auto& [vertex, candidate] : starting) {
+      if (isOver(candidate, first, used)) continue;
+      if (!mayBeSharp && isSharpBetween(end, candidate)) continue;
+      const double turn = clockwise(back, angleTowards(plane, chains_[candidate].corners[1].point));
+      if (best && turn >= bestTurn) continue;
+      best = candidate;
+      bestTurn = turn;
     }
     if (!best)
       throw GeometryError("the boundary is not closed: no edge follows edge " +
@@ -122,7 +124,7 @@ class Linker {
   LinkedLoops result_;
   double uTolerance_ = 0, vTolerance_ = 0;
   std::vector<Chain> chains_;
-  std::map<VertexId, std::vector<std::size_t>> starting_;
+  std::vector<Start> starting_;  // by vertex
 };
 
 /// Whether the region is on both sides of two opposite chains, that is, whether they are inside the

@@ -66,7 +66,7 @@ class BoundaryFinder {
     takeNormalsBesidePoints();
     cancelOppositeChains(chains_);
     if (chains_.empty()) return std::move(result_);
-    numberUsedVertices();
+    numberVertices();
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
     result_.input.loops = std::move(linked.loops);
@@ -260,13 +260,15 @@ class BoundaryFinder {
     }
     chain.reversed = (edge.Orientation() == TopAbs_REVERSED) != reversed_;
     auto stop = divided.stops.begin();
+    chain.corners.reserve(divided.points.size());
+    places.reserve(divided.points.size());
     for (std::uint32_t i = 0; i < divided.points.size(); ++i) {
       const Point3& position = divided_.points[divided.points[i]];
       const gp_Pnt2d uv = onFace.at(divided.parameters[i], position);
       if (i == 0) checkSeam(id, uv);
       places.push_back(uv);
       chain.corners.push_back(
-          {vertexOf(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
+          {VertexId(divided.points[i]), surface_.boundaryPoint(position, uv.X(), uv.Y())});
       if (stop == divided.stops.end() || *stop != i) continue;
       ++stop;
       Chain rest{chain.edge, chain.reversed, i, {chain.corners.back()}};
@@ -297,7 +299,7 @@ class BoundaryFinder {
     std::map<VertexId, Point3> sums;
     for (const int id : result_.pointEdges) {
       const auto& point = divided_.edges[static_cast<std::size_t>(id) - 1].point;
-      if (point && vertices_.contains(*point)) sums[vertices_.at(*point)] = {};
+      if (point) sums[VertexId(*point)] = {};
     }
     if (sums.empty()) return;
     const auto add = [&](const BoundaryCorner& corner, const BoundaryCorner& beside) {
@@ -319,19 +321,28 @@ class BoundaryFinder {
     }
   }
 
-  VertexId vertexOf(std::uint32_t point) {
-    const auto [found, isNew] = vertices_.try_emplace(point, VertexId(result_.points.size()));
-    if (isNew) result_.points.push_back(point);
-    return found->second;
+  /// Until then vertices have the numbers of their points. Those at which all chains were cancelled
+  /// get none.
+  void numberVertices() {
+    std::vector<std::uint32_t> points;
+    for (const Chain& chain : chains_)
+      for (const BoundaryCorner& corner : chain.corners) points.push_back(corner.vertex.value);
+    std::ranges::sort(points);
+    points.erase(std::ranges::unique(points).begin(), points.end());
+    std::vector<VertexId> numbers(points.size());
+    for (Chain& chain : chains_)
+      for (BoundaryCorner& corner : chain.corners) {
+        const std::uint32_t point = corner.vertex.value;
+        const auto place = std::ranges::lower_bound(points, point) - points.begin();
+        VertexId& number = numbers[static_cast<std::size_t>(place)];
+        if (number.isNone()) number = addVertex(point);
+        corner.vertex = number;
+      }
   }
 
-  /// Without those at which all chains were cancelled.
-  void numberUsedVertices() {
-    const std::vector<std::uint32_t> all = std::exchange(result_.points, {});
-    vertices_.clear();
-    for (Chain& chain : chains_)
-      for (BoundaryCorner& corner : chain.corners)
-        corner.vertex = vertexOf(all[corner.vertex.value]);
+  VertexId addVertex(std::uint32_t point) {
+    result_.points.push_back(point);
+    return VertexId(result_.points.size() - 1);
   }
 
   void addUses(const Chain& chain) {
@@ -345,13 +356,13 @@ class BoundaryFinder {
       if (it.Value().ShapeType() != TopAbs_VERTEX) continue;
       const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
       const auto point = static_cast<std::uint32_t>(model_.vertices.FindIndex(vertex) - 1);
-      if (vertices_.contains(point)) continue;
+      if (std::ranges::count(result_.points, point) > 0) continue;
       const Point3& position = divided_.points[point];
       // The file may not say where on the surface such a vertex lies; it is rare, so look.
       const gp_Pnt2d uv =
           ShapeAnalysis_Surface(BRep_Tool::Surface(forward_)).ValueOfUV(toOcc(position), 1e-7);
       if (cell_ && !isInCell({}, {uv})) continue;
-      const VertexId id = vertexOf(point);
+      const VertexId id = addVertex(point);
       result_.input.isolated.push_back({id, surface_.boundaryPoint(position, uv.X(), uv.Y())});
       result_.input.vertexCount = result_.points.size();
     }
@@ -377,7 +388,6 @@ class BoundaryFinder {
   std::unordered_map<int, gp_Pnt2d> starts_;  // by edge: where it begins; looked up only
   std::vector<std::size_t> wire_;             // by chain
   std::size_t wires_ = 0;
-  std::unordered_map<std::uint32_t, VertexId> vertices_;  // looked up only, never walked through
   FaceBoundary result_;
 };
 
