@@ -142,7 +142,7 @@ class CompiledRules {
   struct Windows {
     std::vector<Window> usual, withWide;
     std::once_flag once;
-    std::atomic<bool> areMade = false;
+    std::atomic<bool> areMade = false;  ///< costs less to ask than `once`
   };
   void makeWindows(int level, Windows& windows) const;
 

@@ -199,6 +199,28 @@ std::vector<std::pair<Chain, Chain>> cancelTouching(
   return pairs;
 }
 
+std::vector<std::uint32_t> numberVertices(std::vector<Chain>& chains) {
+  std::vector<std::uint32_t> known;  // points, sorted
+  for (const Chain& chain : chains)
+    for (const BoundaryCorner& corner : chain.corners) known.push_back(corner.vertex.value);
+  std::ranges::sort(known);
+  known.erase(std::ranges::unique(known).begin(), known.end());
+  std::vector<VertexId> ids(known.size());
+  std::vector<std::uint32_t> points;
+  for (Chain& chain : chains)
+    for (BoundaryCorner& corner : chain.corners) {
+      const std::uint32_t point = corner.vertex.value;
+      const auto place = std::ranges::lower_bound(known, point) - known.begin();
+      VertexId& id = ids[static_cast<std::size_t>(place)];
+      if (id.isNone()) {
+        id = VertexId(points.size());
+        points.push_back(point);
+      }
+      corner.vertex = id;
+    }
+  return points;
+}
+
 LinkedLoops linkChains(std::vector<Chain> chains) { return Linker(std::move(chains)).link(); }
 
 }  // namespace af2::geometry

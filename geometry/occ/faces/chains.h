@@ -39,6 +39,10 @@ std::vector<std::pair<Chain, Chain>> cancelTouching(
 /// Whether two chains have the same vertices in opposite directions.
 bool areOpposite(const Chain& one, const Chain& other);
 
+/// Gives the vertices, whose ids are numbers of points, ids from 0 on in the order of the chains.
+/// Returns the point of each.
+std::vector<std::uint32_t> numberVertices(std::vector<Chain>& chains);
+
 /// Chains joined to loops.
 struct LinkedLoops {
   std::vector<std::vector<BoundaryCorner>> loops;

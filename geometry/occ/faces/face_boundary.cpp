@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "engine/base/error.h"
@@ -66,7 +67,7 @@ class BoundaryFinder {
     takeNormalsBesidePoints();
     cancelOppositeChains(chains_);
     if (chains_.empty()) return std::move(result_);
-    numberVertices();
+    result_.points = numberVertices(chains_);
     for (const Chain& chain : chains_) addUses(chain);
     LinkedLoops linked = linkChains(std::move(chains_));
     result_.input.loops = std::move(linked.loops);
@@ -321,25 +322,6 @@ class BoundaryFinder {
     }
   }
 
-  /// Until then vertices have the numbers of their points. Those at which all chains were cancelled
-  /// get none.
-  void numberVertices() {
-    std::vector<std::uint32_t> points;
-    for (const Chain& chain : chains_)
-      for (const BoundaryCorner& corner : chain.corners) points.push_back(corner.vertex.value);
-    std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
-    std::vector<VertexId> numbers(points.size());
-    for (Chain& chain : chains_)
-      for (BoundaryCorner& corner : chain.corners) {
-        const std::uint32_t point = corner.vertex.value;
-        const auto place = std::ranges::lower_bound(points, point) - points.begin();
-        VertexId& number = numbers[static_cast<std::size_t>(place)];
-        if (number.isNone()) number = addVertex(point);
-        corner.vertex = number;
-      }
-  }
-
   VertexId addVertex(std::uint32_t point) {
     result_.points.push_back(point);
     return VertexId(result_.points.size() - 1);
@@ -352,11 +334,13 @@ class BoundaryFinder {
 
   /// Vertices inside the face that stand on no edge of it.
   void addIsolatedVertices() {
+    std::optional<std::unordered_set<std::uint32_t>> known;  // points, once there is such a vertex
     for (TopoDS_Iterator it(forward_); it.More(); it.Next()) {
       if (it.Value().ShapeType() != TopAbs_VERTEX) continue;
+      if (!known) known.emplace(result_.points.begin(), result_.points.end());
       const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
       const auto point = static_cast<std::uint32_t>(model_.vertices.FindIndex(vertex) - 1);
-      if (std::ranges::count(result_.points, point) > 0) continue;
+      if (!known->insert(point).second) continue;
       const Point3& position = divided_.points[point];
       // The file may not say where on the surface such a vertex lies; it is rare, so look.
       const gp_Pnt2d uv =

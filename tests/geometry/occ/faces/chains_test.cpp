@@ -28,6 +28,17 @@ TEST(Chains, AreJoinedToALoopWhateverTheirOrder) {
   EXPECT_TRUE(linked.closedInParameters());
 }
 
+TEST(Chains, HaveVerticesInTheOrderInWhichTheyCome) {
+  const auto a = corner(70, 0, 0), b = corner(5, 1, 0), c = corner(900, 0, 1);
+  std::vector<Chain> chains{chain(1, {a, c}), chain(2, {c, b}), chain(3, {b, a})};
+  EXPECT_EQ(numberVertices(chains), (std::vector<std::uint32_t>{70, 900, 5}));
+  EXPECT_EQ(ids(chains[0].corners), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(ids(chains[1].corners), (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(ids(chains[2].corners), (std::vector<std::size_t>{2, 0}));
+  std::vector<Chain> none;
+  EXPECT_TRUE(numberVertices(none).empty());
+}
+
 TEST(Chains, ThatMeetAtOneVertexBoundTheSameSector) {
   // Two triangles with a common tip: one is the outline, the other a hole inside it.
   const auto tip = corner(0, 0, 0), b = corner(1, 4, -4), c = corner(2, 4, 4);
