@@ -204,15 +204,10 @@ std::optional<bool> isEntered(const Line& line, const std::vector<BoxedFace>& fa
 }
 
 double sizeOf(const std::vector<BoxedFace>& faces) {
-  double squares = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto low = [&](const BoxedFace& face) { return face.min[k]; };
-    const auto high = [&](const BoxedFace& face) { return face.max[k]; };
-    const double extent =
-        std::ranges::max(faces, {}, high).max[k] - std::ranges::min(faces, {}, low).min[k];
-    squares += extent * extent;
-  }
-  return std::sqrt(squares);
+  Bnd_Box whole;
+  for (const auto& [face, min, max, work] : faces)
+    whole.Update(min[0], min[1], min[2], max[0], max[1], max[2]);
+  return std::sqrt(whole.SquareExtent());
 }
 
 }  // namespace
