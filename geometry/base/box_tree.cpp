@@ -6,19 +6,6 @@
 #include <tuple>
 
 namespace af2::geometry {
-namespace {
-
-double beyond(double value, double low, double high) {
-  return value < low ? low - value : std::max(0.0, value - high);
-}
-
-}  // namespace
-
-double Box3::distanceTo(const Point3& p) const {
-  return length(
-      Point3{beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y), beyond(p.z, low.z, high.z)});
-}
-
 Segment3::Segment3(const Point3& from, const Point3& to)
     : middle_(0.5 * (from + to)),
       half_(0.5 * (to - from)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -25,8 +26,20 @@ struct Box3 {
     return (low.x <= other.high.x) & (other.low.x <= high.x) & (low.y <= other.high.y) &
            (other.low.y <= high.y) & (low.z <= other.high.z) & (other.low.z <= high.z);
   }
+  bool contains(const Point3& p) const {
+    return (low.x <= p.x) & (p.x <= high.x) & (low.y <= p.y) & (p.y <= high.y) & (low.z <= p.z) &
+           (p.z <= high.z);
+  }
   /// Zero inside.
-  double distanceTo(const Point3& p) const;
+  double distanceTo(const Point3& p) const { return std::sqrt(squaredDistanceTo(p)); }
+  double squaredDistanceTo(const Point3& p) const {
+    const auto beyond = [](double value, double from, double to) {
+      return std::max(std::max(from - value, value - to), 0.0);
+    };
+    const Point3 d{beyond(p.x, low.x, high.x), beyond(p.y, low.y, high.y),
+                   beyond(p.z, low.z, high.z)};
+    return dot(d, d);
+  }
 };
 
 /// A straight segment, tested for intersection with boxes.
@@ -60,17 +73,27 @@ class BoxTree {
   /// The index is kNone if nothing is within `farthest`.
   template <class Distance>
   std::uint32_t nearest(const Point3& p, double farthest, Distance&& distance) const {
-    Nearest best{farthest, kNone};
+    Nearest best(farthest, kNone);
     if (!nodes_.empty()) seek(0, 0, order_.size(), p, distance, best);
     return best.index;
   }
   static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// A box that contains p and that `accepts(index)`: the first in an order that depends on the
+  /// boxes alone; kNone if there is none.
+  template <class Accepts>
+  std::uint32_t firstAt(const Point3& p, Accepts&& accepts) const {
+    return nodes_.empty() ? kNone : lookAt(0, 0, order_.size(), p, accepts);
+  }
 
  private:
   static constexpr std::size_t kLeaf = 4;
   struct Nearest {
     double distance;
     std::uint32_t index;
+    double farthest = 0;  ///< square, with a margin for rounding: of boxes that may be nearer
+
+    Nearest(double d, std::uint32_t i) : distance(d), index(i), farthest(d * d * (1 + 1e-12)) {}
   };
   void build(const std::vector<Box3>& boxes, std::size_t node, std::size_t first, std::size_t last);
   static std::size_t middle(std::size_t first, std::size_t last) {
@@ -96,19 +119,34 @@ class BoxTree {
             Distance& distance, Nearest& best) const {
     if (last - first <= kLeaf) {
       for (std::size_t i = first; i < last; ++i) {
-        if (leaves_[i].distanceTo(p) > best.distance) continue;
+        if (leaves_[i].squaredDistanceTo(p) > best.farthest) continue;
         const double d = distance(order_[i]);
         if (d < best.distance || (d == best.distance && order_[i] < best.index))
-          best = {d, order_[i]};
+          best = Nearest(d, order_[i]);
       }
       return;
     }
     const std::size_t half = middle(first, last), left = 2 * node + 1, right = left + 1;
-    const double toLeft = nodes_[left].distanceTo(p), toRight = nodes_[right].distanceTo(p);
+    const double toLeft = nodes_[left].squaredDistanceTo(p);
+    const double toRight = nodes_[right].squaredDistanceTo(p);
     const bool leftFirst = toLeft <= toRight;
-    if (leftFirst && toLeft <= best.distance) seek(left, first, half, p, distance, best);
-    if (toRight <= best.distance) seek(right, half, last, p, distance, best);
-    if (!leftFirst && toLeft <= best.distance) seek(left, first, half, p, distance, best);
+    if (leftFirst && toLeft <= best.farthest) seek(left, first, half, p, distance, best);
+    if (toRight <= best.farthest) seek(right, half, last, p, distance, best);
+    if (!leftFirst && toLeft <= best.farthest) seek(left, first, half, p, distance, best);
+  }
+
+  template <class Accepts>
+  std::uint32_t lookAt(std::size_t node, std::size_t first, std::size_t last, const Point3& p,
+                       Accepts& accepts) const {
+    if (!nodes_[node].contains(p)) return kNone;
+    if (last - first <= kLeaf) {
+      for (std::size_t i = first; i < last; ++i)
+        if (leaves_[i].contains(p) && accepts(order_[i])) return order_[i];
+      return kNone;
+    }
+    const std::size_t half = middle(first, last);
+    const std::uint32_t found = lookAt(2 * node + 1, first, half, p, accepts);
+    return found != kNone ? found : lookAt(2 * node + 2, half, last, p, accepts);
   }
 
   std::vector<Box3> nodes_;           ///< a heap: the halves of node i are 2 i + 1 and 2 i + 2

@@ -63,14 +63,27 @@ class Division {
   }
   bool isFixed(std::size_t c) const { return model_.curves[c].isKept || givenFor(c); }
 
-  double wantedAt(std::size_t c, const Point3& p) const {
+  /// k       the place is between this knot and the next one, or at it
+  /// within  its share of the way to the next one
+  double wantedAt(std::size_t c, const Point3& p, std::size_t k, double within) const {
     const auto own = sizes_.onEdge.find(model_.curves[c].id);
     double wanted = own == sizes_.onEdge.end() ? onFacesBeside(c) : own->second;
     wanted = std::min(wanted, model_.curves[c].largest);
-    for (const std::size_t f : faces_[c])
-      if (sizes_.limits[f]) wanted = std::min(wanted, sizes_.limits[f]->sizeAt({p, {}, 0, 0}));
+    wanted = std::min(wanted, limitAt(c, p, k, within));
     wanted = sizes_.byPosition.at(p, wanted);
     return sizes_.nearLoosePoints ? std::min(wanted, sizes_.nearLoosePoints->at(p)) : wanted;
+  }
+
+  double limitAt(std::size_t c, const Point3& p, std::size_t k, double within) const {
+    const auto& [ofFaces, atKnots] = sizes_.byCurvature;
+    if (c < atKnots.size() && !atKnots[c].empty()) {
+      const std::vector<double>& at = atKnots[c];
+      return within > 0 ? at[k] + within * (at[k + 1] - at[k]) : at[k];
+    }
+    double limit = std::numeric_limits<double>::infinity();
+    for (const std::size_t f : faces_[c])
+      if (ofFaces[f]) limit = std::min(limit, ofFaces[f]->sizeAt({p, {}, 0, 0}));
+    return limit;
   }
 
   double onFacesBeside(std::size_t c) const {
@@ -112,17 +125,17 @@ class Division {
     const DomainCurve& curve = model_.curves[c];
     const Knots knots = knotsOf(curve);
     Samples samples;
-    double fromSize = wantedAt(c, knots.points[0]);
+    double fromSize = wantedAt(c, knots.points[0], 0, 0);
     add(curve.knots[0], 0, fromSize, samples);
     for (std::size_t k = 1; k < curve.knots.size(); ++k) {
       const double start = knots.arcLength[k - 1], length = knots.arcLength[k] - start;
-      const double toSize = limitedByTurn(knots, k, wantedAt(c, knots.points[k]));
+      const double toSize = limitedByTurn(knots, k, wantedAt(c, knots.points[k], k, 0));
       const std::size_t cells = cellsFor(perSize * length / std::min(fromSize, toSize), samples);
       for (std::size_t i = 1; i <= cells; ++i) {
         const double within = static_cast<double>(i) / static_cast<double>(cells);
         const double t = curve.knots[k - 1] + within * (curve.knots[k] - curve.knots[k - 1]);
         add(i == cells ? curve.knots[k] : t, start + within * length,
-            i == cells ? toSize : wantedAt(c, curve.pointAt(t)), samples);
+            i == cells ? toSize : wantedAt(c, curve.pointAt(t), k - 1, within), samples);
       }
       fromSize = toSize;
     }

@@ -19,8 +19,8 @@ struct DomainSizes {
   DomainSize byPosition;
   std::vector<double> onFace;    ///< by face
   std::map<int, double> onEdge;  ///< by id of an edge, instead of those of its faces
-  std::shared_ptr<const GrowingSize> nearLoosePoints;         ///< null: there are none
-  std::vector<std::shared_ptr<const CurvatureLimit>> limits;  ///< by face; null: it is plane
+  std::shared_ptr<const GrowingSize> nearLoosePoints;  ///< null: there are none
+  CurvatureLimits byCurvature;
 };
 
 /// Segments have the wanted sizes along the curve, or end at the points that are given for it. A

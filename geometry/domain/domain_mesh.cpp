@@ -161,7 +161,7 @@ class DomainFaces final : public FaceSource {
     leaveOutLayersOf(id, request, boundary);
     const double area = face.area - (boundary.layers ? boundary.layers->area : 0);
     const DomainSize byPosition = sizes_->byPosition.withFunction(request.sizes);
-    const CurvatureLimit* limit = sizes_->limits[indexOf(id)].get();
+    const CurvatureLimit* limit = limitOf(id);
     const double size = sizes_->onFace[indexOf(id)];
     const FaceWanted wanted(byPosition, size, limit);
     const NearLoosePoints near(wanted, sizes_->nearLoosePoints.get());
@@ -191,7 +191,7 @@ class DomainFaces final : public FaceSource {
 
   /// Others are spread over the surface already.
   std::vector<SizeSource> sizesInside(int face) const override {
-    const CurvatureLimit* limit = sizes_->limits[indexOf(face)].get();
+    const CurvatureLimit* limit = limitOf(face);
     return limit ? limit->sizesToFollow() : std::vector<SizeSource>();
   }
 
@@ -214,6 +214,10 @@ class DomainFaces final : public FaceSource {
  private:
   static std::size_t indexOf(int face) { return static_cast<std::size_t>(face) - 1; }
   const DomainFace& at(int face) const { return model_.faces[indexOf(face)]; }
+  /// Null: the face is plane.
+  const CurvatureLimit* limitOf(int face) const {
+    return sizes_->byCurvature.ofFaces[indexOf(face)].get();
+  }
   const DomainCurve& curveOf(int divided) const {
     return model_.curves[static_cast<std::size_t>(divided) - 1];
   }
@@ -226,8 +230,8 @@ class DomainFaces final : public FaceSource {
       const double size = given == asked.faceSizes.end() ? asked.size : given->second;
       sizes_->onFace.push_back(std::min(size, model_.faces[f].largest));
     }
-    sizes_->limits.resize(model_.faces.size());
-    if (model_.limitsOfFaces) sizes_->limits = model_.limitsOfFaces(sizes_->byPosition);
+    sizes_->byCurvature.ofFaces.resize(model_.faces.size());
+    if (model_.curvatureLimits) sizes_->byCurvature = model_.curvatureLimits(sizes_->byPosition);
   }
 
   /// Of the faces to be meshed, with the places at which they end on other edges.
@@ -288,8 +292,7 @@ class DomainFaces final : public FaceSource {
 
   /// How many elements a face takes if nothing but its size and its curvature counts.
   double expectedOn(int face, double size) const {
-    if (const CurvatureLimit* limit = sizes_->limits[indexOf(face)].get())
-      return limit->expectedElements(size);
+    if (const CurvatureLimit* limit = limitOf(face)) return limit->expectedElements(size);
     return at(face).area / (kUnitTriangle * size * size);
   }
 

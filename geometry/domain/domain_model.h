@@ -53,6 +53,14 @@ class AF2_EXPORT CurvatureLimit : public SizeField {
   virtual std::vector<SizeSource> sizesToFollow() const { return {}; }
 };
 
+/// What curvature allows on the faces of a model.
+struct CurvatureLimits {
+  std::vector<std::shared_ptr<const CurvatureLimit>> ofFaces;  ///< by face; null: it is plane
+  /// By curve, the limits at its knots, linear in between, as all curved faces beside it have them
+  /// there. Empty: the faces are asked.
+  std::vector<std::vector<double>> atKnots = {};
+};
+
 /// A place where a face crosses another one, or itself, in the model itself.
 struct FacesCross {
   std::array<int, 2> faces{};  ///< their ids
@@ -81,10 +89,8 @@ struct DomainModel {
   /// Looks for crossings, which explain failures; empty: there are none. Several threads may use it
   /// at once.
   std::function<std::vector<FacesCross>()> crossings;
-  /// By face, the limits by curvature; empty: all faces are plane. Several threads may use them at
-  /// once.
-  std::function<std::vector<std::shared_ptr<const CurvatureLimit>>(const DomainSize&)>
-      limitsOfFaces;
+  /// Empty: all faces are plane. Several threads may use the limits at once.
+  std::function<CurvatureLimits(const DomainSize&)> curvatureLimits;
 };
 
 /// Meshes the faces between their curves, which are divided once and shared. A face that fails or

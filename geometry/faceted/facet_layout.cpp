@@ -45,14 +45,25 @@ std::vector<Box3> FacetLayout::takeMetrics(const std::vector<Point3>& vertices) 
   return boxes;
 }
 
-Barycentric FacetLayout::nearestIn(std::uint32_t triangle, Point2 place) const {
+bool FacetLayout::contains(std::uint32_t triangle, Point2 place) const {
+  const auto& [a, b, c] = triangles_[triangle];
+  const Point2 pa = places_[a] - place, pb = places_[b] - place, pc = places_[c] - place;
+  return (cross(pa, pb) >= 0) & (cross(pb, pc) >= 0) & (cross(pc, pa) >= 0) &
+         (cross(pb - pa, pc - pa) > 0);
+}
+
+Barycentric FacetLayout::weightsIn(std::uint32_t triangle, Point2 place) const {
   const auto& [a, b, c] = triangles_[triangle];
   const Point2 pa = places_[a], pb = places_[b], pc = places_[c];
   const double whole = cross(pb - pa, pc - pa);
-  const double wa = cross(pb - place, pc - place) / whole;
-  const double wb = cross(pc - place, pa - place) / whole;
-  const double wc = cross(pa - place, pb - place) / whole;
-  if (whole > 0 && wa >= 0 && wb >= 0 && wc >= 0) return {wa, wb, wc};
+  return {cross(pb - place, pc - place) / whole, cross(pc - place, pa - place) / whole,
+          cross(pa - place, pb - place) / whole};
+}
+
+Barycentric FacetLayout::nearestIn(std::uint32_t triangle, Point2 place) const {
+  if (contains(triangle, place)) return weightsIn(triangle, place);
+  const auto& [a, b, c] = triangles_[triangle];
+  const Point2 pa = places_[a], pb = places_[b], pc = places_[c];
   const double ab = nearestOn(pa, pb, place), bc = nearestOn(pb, pc, place),
                ca = nearestOn(pc, pa, place);
   const double toAb = distance(pa + ab * (pb - pa), place),
@@ -64,10 +75,13 @@ Barycentric FacetLayout::nearestIn(std::uint32_t triangle, Point2 place) const {
 }
 
 FacetLayout::Found FacetLayout::at(Point2 place) const {
+  const Point3 p{place.x, place.y, 0};
   Found found;
-  found.triangle = tree_.nearest(
-      {place.x, place.y, 0}, std::numeric_limits<double>::infinity(),
-      [&](std::uint32_t t) { return distance(placeIn(t, nearestIn(t, place)), place); });
+  found.triangle = tree_.firstAt(p, [&](std::uint32_t t) { return contains(t, place); });
+  if (found.triangle != BoxTree::kNone) return {found.triangle, weightsIn(found.triangle, place)};
+  found.triangle = tree_.nearest(p, std::numeric_limits<double>::infinity(), [&](std::uint32_t t) {
+    return distance(placeIn(t, nearestIn(t, place)), place);
+  });
   found.where = nearestIn(found.triangle, place);
   return found;
 }

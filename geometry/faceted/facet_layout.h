@@ -42,6 +42,9 @@ class FacetLayout {
 
  private:
   std::vector<Box3> takeMetrics(const std::vector<Point3>& vertices);
+  bool contains(std::uint32_t triangle, Point2 place) const;
+  /// Of a place in the triangle.
+  Barycentric weightsIn(std::uint32_t triangle, Point2 place) const;
   Barycentric nearestIn(std::uint32_t triangle, Point2 place) const;
 
   std::vector<Point2> places_;

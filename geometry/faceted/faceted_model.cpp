@@ -76,12 +76,14 @@ class ModelMaker {
     curve.first = cornerAt(vertices.front());
     curve.last = cornerAt(vertices.back());
     auto points = std::make_shared<std::vector<Point3>>();
+    std::vector<std::uint32_t>& knots = knots_.emplace_back();
     for (const std::uint32_t v : vertices) {
       const Point3& p = facets_.vertices[v];
       const double step = points->empty() ? 0 : distance(points->back(), p);
       if (!points->empty() && step == 0) continue;
       curve.knots.push_back(points->empty() ? 0 : curve.knots.back() + step);
       points->push_back(p);
+      knots.push_back(v);
     }
     curve.pointAt = [knots = curve.knots, points](double s) {
       const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, s);
@@ -134,14 +136,20 @@ class ModelMaker {
   }
 
   void addLimits(double growth) {
-    std::vector<FacetSurface> surfaces;
-    std::vector<bool> isPlane;
+    std::vector<PatchFace> faces;
+    std::vector<bool> isBesideCurved(model_.curves.size(), false);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      surfaces.push_back(*surfaces_[i]);
-      isPlane.push_back(model_.faces[i].surface->isPlane());
+      const DomainFace& face = model_.faces[i];
+      faces.push_back({*surfaces_[i], face.surface->isPlane()});
+      if (faces.back().isPlane) continue;
+      for (const auto& loop : face.loops)
+        for (const CurveUse& use : loop) isBesideCurved[use.curve] = true;
     }
-    model_.limitsOfFaces = [shared = shared_, surfaces, isPlane, growth](const DomainSize& size) {
-      return limitsOfPatches(shared->facets, surfaces, isPlane, size, growth);
+    for (std::size_t c = 0; c < knots_.size(); ++c)
+      if (!isBesideCurved[c]) knots_[c].clear();
+    model_.curvatureLimits = [shared = shared_, faces = std::move(faces), knots = std::move(knots_),
+                              growth](const DomainSize& size) {
+      return limitsOfPatches(shared->facets, faces, knots, size, growth);
     };
   }
 
@@ -179,6 +187,7 @@ class ModelMaker {
   const Facets& facets_;
   std::vector<std::optional<FacetSurface>> surfaces_;  // by patch
   std::vector<std::size_t> corner_;                    // by vertex of the facets
+  std::vector<std::vector<std::uint32_t>> knots_;      // by curve: vertices of the facets
   DomainModel model_;
 };
 

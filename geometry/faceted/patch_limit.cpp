@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 #include "engine/base/constants.h"
@@ -9,29 +10,36 @@
 namespace af2::geometry {
 namespace {
 
-std::vector<double> limitsAtVertices(const Facets& facets,
-                                     const std::vector<FacetSurface>& surfaces,
+std::vector<double> limitsAtVertices(const Facets& facets, const std::vector<PatchFace>& faces,
                                      const DomainSize& size, double growth) {
   std::vector<double> limits(facets.vertices.size(), std::numeric_limits<double>::infinity());
-  for (const FacetSurface& surface : surfaces)
-    surface.forEachCurvature([&](std::uint32_t v, double curvature) {
+  for (const PatchFace& face : faces)
+    face.surface.forEachCurvature([&](std::uint32_t v, double curvature) {
       const double radius = curvature > 0 ? 1 / curvature : 1e300;
       limits[v] = std::min(limits[v], size.turnLimit(radius, kMinAtPatchTurns));
     });
-  std::vector<std::vector<std::uint32_t>> beside(facets.vertices.size());
+  // By vertex, in one list: those at the other ends of its edges.
+  std::vector<std::size_t> first(facets.vertices.size() + 1, 0);
+  for (const auto& t : facets.triangles)
+    for (const std::uint32_t v : t) first[v + 1] += 2;
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> beside(first.back());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (const auto& t : facets.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      beside[t[i]].push_back(t[(i + 1) % 3]);
-      beside[t[(i + 1) % 3]].push_back(t[i]);
+      beside[next[t[i]]++] = t[(i + 1) % 3];
+      beside[next[t[i]]++] = t[(i + 2) % 3];
     }
   using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (std::uint32_t v = 0; v < limits.size(); ++v) open.push({limits[v], v});
+  std::vector<Entry> entries;
+  for (std::uint32_t v = 0; v < limits.size(); ++v) entries.emplace_back(limits[v], v);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open({}, std::move(entries));
   while (!open.empty()) {
     const auto [limit, v] = open.top();
     open.pop();
     if (limit > limits[v]) continue;
-    for (const std::uint32_t w : beside[v]) {
+    for (std::size_t i = first[v]; i < first[v + 1]; ++i) {
+      const std::uint32_t w = beside[i];
       const double grown = limit + growth * distance(facets.vertices[v], facets.vertices[w]);
       if (!(grown < limits[w])) continue;
       limits[w] = grown;
@@ -98,16 +106,20 @@ class PatchLimit final : public CurvatureLimit {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const CurvatureLimit>> limitsOfPatches(
-    const Facets& facets, const std::vector<FacetSurface>& surfaces,
-    const std::vector<bool>& isPlane, const DomainSize& size, double growth) {
+CurvatureLimits limitsOfPatches(const Facets& facets, const std::vector<PatchFace>& faces,
+                                const std::vector<std::vector<std::uint32_t>>& knots,
+                                const DomainSize& size, double growth) {
   const auto limits =
-      std::make_shared<const std::vector<double>>(limitsAtVertices(facets, surfaces, size, growth));
-  std::vector<std::shared_ptr<const CurvatureLimit>> byFace;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-    byFace.push_back(isPlane[i] ? nullptr
-                                : std::make_shared<const PatchLimit>(surfaces[i], limits, growth));
-  return byFace;
+      std::make_shared<const std::vector<double>>(limitsAtVertices(facets, faces, size, growth));
+  CurvatureLimits found;
+  for (const auto& [surface, isPlane] : faces)
+    found.ofFaces.push_back(isPlane ? nullptr
+                                    : std::make_shared<const PatchLimit>(surface, limits, growth));
+  for (const std::vector<std::uint32_t>& vertices : knots) {
+    std::vector<double>& at = found.atKnots.emplace_back();
+    for (const std::uint32_t v : vertices) at.push_back((*limits)[v]);
+  }
+  return found;
 }
 
 }  // namespace af2::geometry

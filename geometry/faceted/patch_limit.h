@@ -14,10 +14,18 @@ namespace af2::geometry {
 /// edges along the roundings bring vertices there.
 constexpr double kMinAtPatchTurns = 0.2;
 
-/// By patch: the sizes that curvature allows at the vertices of the facets, growing from each along
-/// the edges no faster than sizes may. Null for planes.
-std::vector<std::shared_ptr<const CurvatureLimit>> limitsOfPatches(
-    const Facets& facets, const std::vector<FacetSurface>& surfaces,
-    const std::vector<bool>& isPlane, const DomainSize& size, double growth);
+/// A patch as a face of a model.
+struct PatchFace {
+  FacetSurface surface;
+  bool isPlane = false;
+};
+
+/// The sizes that curvature allows at the vertices of the facets, growing from each along the edges
+/// no faster than sizes may.
+///
+/// knots  by curve: the vertices at its knots; none: it is between planes
+CurvatureLimits limitsOfPatches(const Facets& facets, const std::vector<PatchFace>& faces,
+                                const std::vector<std::vector<std::uint32_t>>& knots,
+                                const DomainSize& size, double growth);
 
 }  // namespace af2::geometry

@@ -24,7 +24,7 @@ TEST(DomainDivision, OfAnEdgeWithOneTinySizeDoesNotTakeMillionsOfSamples) {
     return p.x == 0 ? 5e-5 : 1e-9;
   };
   const DomainModel model = planarModel(square, options);
-  const DomainSizes sizes{DomainSize(options.sizes), {0.5}, {}, nullptr, {nullptr}};
+  const DomainSizes sizes{DomainSize(options.sizes), {0.5}, {}, nullptr, {{nullptr}}};
   const DividedEdges divided = divideCurves(model, sizes, 0.3, {});
   ASSERT_EQ(divided.edges.size(), 4u);
   EXPECT_GT(divided.edges[0].points.size(), 50u);

@@ -1,0 +1,89 @@
+#include "geometry/base/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace af2::geometry {
+namespace {
+
+class Boxes {
+ public:
+  /// Coordinates are multiples of an eighth, so that ties occur.
+  Boxes(unsigned seed, std::size_t count) : random_(seed) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Box3& box = boxes.emplace_back();
+      box.add(point());
+      if (random_() % 4 != 0) box.add(box.low + 0.25 * point());
+    }
+  }
+
+  Point3 point() {
+    const auto next = [&] { return static_cast<double>(random_() % 17) / 8; };
+    const double x = next(), y = next();
+    return {x, y, next()};
+  }
+
+  std::vector<Box3> boxes;
+
+ private:
+  std::mt19937 random_;
+};
+
+TEST(BoxTree, FindsTheNearestOfManyAsIfAllWereCompared) {
+  constexpr double kFarthest[] = {0, 0.125, 0.5, std::numeric_limits<double>::infinity()};
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Boxes made(seed, seed);
+    const BoxTree tree(made.boxes);
+    for (int i = 0; i < 20; ++i) {
+      const Point3 p = made.point();
+      for (const double farthest : kFarthest) {
+        std::uint32_t nearest = BoxTree::kNone;
+        double least = farthest;
+        for (std::uint32_t b = 0; b < made.boxes.size(); ++b) {
+          const double d = made.boxes[b].distanceTo(p);
+          if (d > least || (d == least && nearest != BoxTree::kNone)) continue;
+          if (d < least || nearest == BoxTree::kNone) nearest = b;
+          least = d;
+        }
+        EXPECT_EQ(
+            tree.nearest(p, farthest, [&](std::uint32_t b) { return made.boxes[b].distanceTo(p); }),
+            nearest);
+      }
+    }
+  }
+}
+
+TEST(BoxTree, FindsABoxAtAPointOnlyIfItIsAccepted) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Boxes made(seed, seed);
+    const BoxTree tree(made.boxes);
+    for (int i = 0; i < 20; ++i) {
+      const Point3 p = made.point();
+      const auto isEven = [](std::uint32_t b) { return b % 2 == 0; };
+      bool isAny = false;
+      for (std::uint32_t b = 0; b < made.boxes.size(); ++b)
+        isAny = isAny || (isEven(b) && made.boxes[b].distanceTo(p) == 0);
+      const std::uint32_t found = tree.firstAt(p, isEven);
+      ASSERT_EQ(found != BoxTree::kNone, isAny);
+      if (!isAny) continue;
+      EXPECT_TRUE(isEven(found));
+      EXPECT_TRUE(made.boxes[found].contains(p));
+    }
+  }
+}
+
+TEST(Box3, IsAsFarAwayAsItsNearestPoint) {
+  Box3 box;
+  box.add(Point3{0, 0, 0});
+  box.add(Point3{1, 2, 3});
+  EXPECT_EQ(box.distanceTo({0.5, 1, 3}), 0);
+  EXPECT_EQ(box.distanceTo({-3, 1, 7}), 5);
+  EXPECT_EQ(box.squaredDistanceTo({2, 4, 5}), 9);
+}
+
+}  // namespace
+}  // namespace af2::geometry
