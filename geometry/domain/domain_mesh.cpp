@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <map>
 #include <memory>
@@ -7,12 +8,14 @@
 #include <vector>
 
 #include "engine/base/constants.h"
+#include "engine/base/error.h"
 #include "geometry/base/constants.h"
 #include "geometry/domain/crossed_faces.h"
 #include "geometry/domain/domain_boundary.h"
 #include "geometry/domain/domain_check.h"
 #include "geometry/domain/domain_division.h"
 #include "geometry/domain/domain_model.h"
+#include "geometry/domain/face_memory.h"
 #include "geometry/fill/face_filling.h"
 #include "geometry/layers/layer_ends.h"
 #include "geometry/layers/layers_of_face.h"
@@ -155,10 +158,42 @@ class DomainFaces final : public FaceSource {
   }
 
   void fill(int id, const FillRequest& request, FaceMesh& mesh) const override {
-    const DomainFace& face = at(id);
-    FaceBoundary boundary = boundaryOf(face, request.divided);
+    FaceBoundary boundary = boundaryOf(at(id), request.divided);
     addNotes(boundary.repairs, mesh.history);
     leaveOutLayersOf(id, request, boundary);
+    const std::optional<FaceMemory::Key> key = keyOf(id, request, boundary);
+    if (!key) return fill(id, request, boundary, mesh);
+    std::shared_ptr<const FaceMemory::Filled> filled = model_.memory->find(*key);
+    if (!filled) filled = remembered(id, request, boundary, *key);
+    take(*filled, boundary, mesh);
+    if (filled->failure) std::rethrow_exception(filled->failure);
+  }
+
+  /// Others are spread over the surface already.
+  std::vector<SizeSource> sizesInside(int face) const override {
+    const CurvatureLimit* limit = limitOf(face);
+    return limit ? limit->sizesToFollow() : std::vector<SizeSource>();
+  }
+
+  bool mayCross() const override { return !model_.isExact; }
+  double retryShare() const override { return model_.retryShare; }
+  bool mayTilt() const override { return model_.mayTilt; }
+
+  bool meetsOthers(int face, const std::vector<Crossing>& crossings) const override {
+    return model_.crossings && crossInModel(model_.crossings(), face, crossings);
+  }
+
+  void complete(const MeshFaults&, ModelMesh& mesh) const override {
+    mesh.boundaries = model_.boundaries;
+    mesh.notes = model_.notes;
+    const auto failed = [](const FaceReport& face) { return face.status == FaceStatus::Failed; };
+    if (model_.crossings && std::ranges::any_of(mesh.faces, failed))
+      tellOfCrossings(model_.crossings(), mesh.faces);
+  }
+
+ private:
+  void fill(int id, const FillRequest& request, FaceBoundary& boundary, FaceMesh& mesh) const {
+    const DomainFace& face = at(id);
     const double area = face.area - (boundary.layers ? boundary.layers->area : 0);
     const DomainSize byPosition = sizes_->byPosition.withFunction(request.sizes);
     const CurvatureLimit* limit = limitOf(id);
@@ -189,29 +224,75 @@ class DomainFaces final : public FaceSource {
                  boundary, mesh);
   }
 
-  /// Others are spread over the surface already.
-  std::vector<SizeSource> sizesInside(int face) const override {
-    const CurvatureLimit* limit = limitOf(face);
-    return limit ? limit->sizesToFollow() : std::vector<SizeSource>();
+  /// What the mesh of a face depends on besides its surface and what is the same whenever the model
+  /// is meshed; nothing if it is not to be remembered.
+  std::optional<FaceMemory::Key> keyOf(int id, const FillRequest& request,
+                                       const FaceBoundary& boundary) const {
+    const bool isPlain = request.sizes.isSameAs(options_->sizes.function) && !boundary.layers &&
+                         boundary.fans.empty() && !request.options.observer;
+    if (!model_.memory || !isPlain) return std::nullopt;
+    FaceMemory::Key key{at(id).surface, {}};
+    std::vector<double>& numbers = key.numbers;
+    if (const CurvatureLimit* limit = limitOf(id)) {
+      std::optional<std::vector<double>> own = limit->numbers();
+      if (!own) return std::nullopt;
+      numbers = *std::move(own);
+    }
+    const TryLimits& limits = request.limits;
+    for (const double number :
+         {static_cast<double>(limits.maxCandidates), limits.ignoresNormals + 0.,
+          limits.refusesReflex + 0., limits.failedBefore + 0., limits.hasOriginalSizes + 0.,
+          sizes_->onFace[indexOf(id)], static_cast<double>(boundary.input.vertexCount),
+          boundary.closedInParameters + 0., boundary.canBeCut + 0.})
+      numbers.push_back(number);
+    for (const auto& loop : boundary.input.loops) addTo(numbers, loop);
+    addTo(numbers, boundary.input.isolated);
+    return key;
   }
 
-  bool mayCross() const override { return !model_.isExact; }
-  double retryShare() const override { return model_.retryShare; }
-  bool mayTilt() const override { return model_.mayTilt; }
-
-  bool meetsOthers(int face, const std::vector<Crossing>& crossings) const override {
-    return model_.crossings && crossInModel(model_.crossings(), face, crossings);
+  static void addTo(std::vector<double>& numbers, const std::vector<BoundaryCorner>& corners) {
+    numbers.push_back(static_cast<double>(corners.size()));
+    for (const auto& [vertex, point] : corners) {
+      numbers.push_back(vertex.value);
+      for (const Point3& p : {point.position, point.normal})
+        numbers.insert(numbers.end(), {p.x, p.y, p.z});
+      numbers.insert(numbers.end(), {point.u, point.v});
+    }
   }
 
-  void complete(const MeshFaults&, ModelMesh& mesh) const override {
-    mesh.boundaries = model_.boundaries;
-    mesh.notes = model_.notes;
-    const auto failed = [](const FaceReport& face) { return face.status == FaceStatus::Failed; };
-    if (model_.crossings && std::ranges::any_of(mesh.faces, failed))
-      tellOfCrossings(model_.crossings(), mesh.faces);
+  std::shared_ptr<const FaceMemory::Filled> remembered(int id, const FillRequest& request,
+                                                       FaceBoundary boundary,
+                                                       const FaceMemory::Key& key) const {
+    const auto filled = std::make_shared<FaceMemory::Filled>();
+    try {
+      fill(id, request, boundary, filled->mesh);
+    } catch (const GeometryError&) {
+      filled->failure = std::current_exception();
+    } catch (const InputError&) {
+      filled->failure = std::current_exception();
+    }
+    filled->mesh.boundary.clear();
+    filled->mesh.uses.clear();
+    if (!request.options.stop.stop_requested()) model_.memory->keep(key, filled);
+    return filled;
   }
 
- private:
+  /// All that `fill` finds.
+  static void take(const FaceMemory::Filled& filled, FaceBoundary& boundary, FaceMesh& mesh) {
+    FaceReport report = std::move(mesh.report);
+    FaceHistory history = std::move(mesh.history);
+    history.insert(history.end(), filled.mesh.history.begin(), filled.mesh.history.end());
+    mesh = filled.mesh;
+    mesh.history = std::move(history);
+    mesh.report.id = report.id;
+    mesh.report.name = std::move(report.name);
+    mesh.report.surfaceType = std::move(report.surfaceType);
+    mesh.report.area = report.area;
+    if (filled.failure) return;
+    mesh.boundary = std::move(boundary.points);
+    mesh.uses = std::move(boundary.uses);
+  }
+
   static std::size_t indexOf(int face) { return static_cast<std::size_t>(face) - 1; }
   const DomainFace& at(int face) const { return model_.faces[indexOf(face)]; }
   /// Null: the face is plane.

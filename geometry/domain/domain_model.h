@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct DomainFace {
 /// The largest edges that the curvature of a face allows.
 class AF2_EXPORT CurvatureLimit : public SizeField {
  public:
+  /// On one surface, limits with the same numbers are the same; nothing: they cannot be compared.
+  virtual std::optional<std::vector<double>> numbers() const { return std::nullopt; }
   /// Approximate number of elements if `size` is wanted everywhere.
   virtual double expectedElements(double size) const = 0;
   /// Places that need smaller sizes, so that elements can follow the face at all.
@@ -67,6 +70,8 @@ struct FacesCross {
   Point3 place;
 };
 
+class FaceMemory;
+
 struct DomainModel {
   std::string name;      ///< the file
   double diagonal = 0;   ///< of the box around it
@@ -85,6 +90,9 @@ struct DomainModel {
   /// The budget of retries, as a share of the candidates that CAD faces may use: the cost of charts
   /// differs.
   double retryShare = 1;
+  /// How its faces were filled before, for models that are meshed several times with options that
+  /// differ in their retries only; null: nothing is remembered.
+  std::shared_ptr<FaceMemory> memory;
   bool mayTilt = true;  ///< as the last remedy, elements may tilt against the surface by any angle
   /// Looks for crossings, which explain failures; empty: there are none. Several threads may use it
   /// at once.

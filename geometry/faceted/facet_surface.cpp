@@ -22,9 +22,8 @@ using Corners = std::array<std::uint32_t, 3>;
 struct FacetSurface::Data {
   Data(const PatchedFacets& patched, const Patch& patch, Drawing drawing)
       : tree(takeTriangles(patched.facets, patch)) {
-    std::vector<Point3> normalsOfTriangles;
-    for (const std::uint32_t t : patch.triangles) normalsOfTriangles.push_back(patched.normals[t]);
-    findNormals(normalsOfTriangles);
+    for (const std::uint32_t t : patch.triangles) directions.push_back(patched.normals[t]);
+    findNormals();
     findCurvatures();
     twins = orientedTwins(triangles);
     if (drawing == Drawing::None) return;
@@ -58,7 +57,7 @@ struct FacetSurface::Data {
 
   /// Weighted by the angles of the triangles, but thin ones count less: the direction of a sliver
   /// is what is left of rounding and noise.
-  void findNormals(const std::vector<Point3>& ofTriangles) {
+  void findNormals() {
     constexpr double kThin = 0.1;  // height over longest edge
     normals.resize(vertices.size());
     for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -73,7 +72,7 @@ struct FacetSurface::Data {
         const Point3 p = vertices[t[(i + 1) % 3]] - vertices[t[i]];
         const Point3 q = vertices[t[(i + 2) % 3]] - vertices[t[i]];
         const double angle = angleBetween(p, q);
-        normals[t[i]] = normals[t[i]] + (trust * angle) * ofTriangles[k];
+        normals[t[i]] = normals[t[i]] + (trust * angle) * directions[k];
       }
     }
     for (Point3& normal : normals) normal = unit(normal);
@@ -216,6 +215,7 @@ struct FacetSurface::Data {
 
   std::vector<std::uint32_t> used;  // by vertex: that of the facets
   std::vector<Point3> vertices, normals;
+  std::vector<Point3> directions;  // by triangle: the basis of the normals
   std::vector<double> curvatures;
   std::vector<Corners> triangles;
   std::vector<HalfEdge> twins;
@@ -225,6 +225,19 @@ struct FacetSurface::Data {
 
 FacetSurface::FacetSurface(const PatchedFacets& patched, const Patch& patch, Drawing drawing)
     : data_(std::make_shared<const Data>(patched, patch, drawing)) {}
+
+bool FacetSurface::isOf(const PatchedFacets& patched, const Patch& patch) const {
+  if (patch.triangles.size() != triangleCount()) return false;
+  for (std::size_t k = 0; k < triangleCount(); ++k) {
+    const std::uint32_t t = patch.triangles[k];
+    const Corners& corners = patched.facets.triangles[t];
+    if (verticesOf(k) != corners || data_->directions[k] != patched.normals[t]) return false;
+    const std::array<Point3, 3> positions = positionsOf(k);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (positions[i] != patched.facets.vertices[corners[i]]) return false;
+  }
+  return true;
+}
 
 bool FacetSurface::isDrawn() const { return data_->layout.has_value(); }
 

@@ -25,6 +25,8 @@ class FacetSurface {
   enum class Drawing { None, IfPossible };
   FacetSurface(const PatchedFacets& patched, const Patch& patch, Drawing drawing);
 
+  /// Whether the surface of a patch, drawn as this one is, would be the same.
+  bool isOf(const PatchedFacets& patched, const Patch& patch) const;
   bool isDrawn() const;
   /// The point at these parameters, if the patch is mapped to a plane; beyond the boundary the
   /// nearest place.

@@ -27,17 +27,22 @@ double diagonalOf(const Facets& facets) {
 
 class ModelMaker {
  public:
-  ModelMaker(std::shared_ptr<const PatchedFacets> patched, int threads)
+  ModelMaker(std::shared_ptr<const PatchedFacets> patched, int threads, MadeFaces made)
       : shared_(std::move(patched)),
         patched_(*shared_),
         facets_(patched_.facets),
+        made_(std::move(made)),
         surfaces_(patched_.patches.size()) {
     forEachInParallel(surfaces_.size(), threads, [&](std::size_t i) {
-      surfaces_[i].emplace(patched_, patched_.patches[i], drawingOf(patched_.patches[i]));
+      if (const MadeFaces::Face* known = madeOf(patched_.patches[i]))
+        surfaces_[i] = known->surface;
+      else
+        surfaces_[i].emplace(patched_, patched_.patches[i], drawingOf(patched_.patches[i]));
     });
   }
 
-  DomainModel make(double growth) {
+  /// made  may be null
+  DomainModel make(double growth, MadeFaces* made) {
     model_.name = facets_.name;
     model_.leastAtTurns = kMinAtPatchTurns;
     model_.retryShare = kRetryShare;
@@ -45,6 +50,7 @@ class ModelMaker {
     corner_.assign(facets_.vertices.size(), kNone);
     for (const FeatureCurve& curve : patched_.curves) addCurve(curve);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) addFace(i);
+    if (made) *made = madeFaces();
     addLimits(growth);
     addCrossings();
     addGroups();
@@ -115,11 +121,30 @@ class ModelMaker {
     return parts > 1 ? whole / parts : DomainCurve::kNoLimit;
   }
 
+  const MadeFaces::Face* madeOf(const Patch& patch) const {
+    const auto made = made_.faces.find(facets_.triangles[patch.triangles.front()]);
+    const bool isSame = made != made_.faces.end() && made->second.surface.isOf(patched_, patch);
+    return isSame ? &made->second : nullptr;
+  }
+
+  MadeFaces madeFaces() const {
+    MadeFaces made;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      made.faces.insert_or_assign(facets_.triangles[patched_.patches[i].triangles.front()],
+                                  MadeFaces::Face{*surfaces_[i], model_.faces[i]});
+    return made;
+  }
+
   void addFace(std::size_t index) {
-    const FacetSurface& surface = *surfaces_[index];
+    const Patch& patch = patched_.patches[index];
+    const MadeFaces::Face* known = madeOf(patch);
+    model_.faces.push_back(known ? known->face : faceOf(*surfaces_[index]));
+    model_.faces.back().loops = patch.loops;
+  }
+
+  static DomainFace faceOf(const FacetSurface& surface) {
     DomainFace face;
     face.area = surface.area();
-    face.loops = patched_.patches[index].loops;
     if (const auto plane = surface.plane()) {
       face.surfaceType = "plane";
       face.area = surface.projectedArea();
@@ -132,7 +157,7 @@ class ModelMaker {
       face.surface = std::make_shared<const LayoutCharts<FacetSurface>>(surface);
       face.nearest = [surface](const Point3& p) { return surface.nearest(p); };
     }
-    model_.faces.push_back(std::move(face));
+    return face;
   }
 
   void addLimits(double growth) {
@@ -185,6 +210,7 @@ class ModelMaker {
   std::shared_ptr<const PatchedFacets> shared_;
   const PatchedFacets& patched_;
   const Facets& facets_;
+  const MadeFaces made_;                               // before
   std::vector<std::optional<FacetSurface>> surfaces_;  // by patch
   std::vector<std::size_t> corner_;                    // by vertex of the facets
   std::vector<std::vector<std::uint32_t>> knots_;      // by curve: vertices of the facets
@@ -203,9 +229,10 @@ FeatureLimits featureLimitsFor(const Facets& facets, const MeshingOptions& optio
           [size = DomainSize(options.sizes), most](const Point3& p) { return size.at(p, most); }};
 }
 
-DomainModel modelOf(PatchedFacets patched, const MeshingOptions& options) {
-  return ModelMaker(std::make_shared<const PatchedFacets>(std::move(patched)), options.threads)
-      .make(options.sizes.growth);
+DomainModel modelOf(PatchedFacets patched, const MeshingOptions& options, MadeFaces* made) {
+  return ModelMaker(std::make_shared<const PatchedFacets>(std::move(patched)), options.threads,
+                    made ? std::move(*made) : MadeFaces())
+      .make(options.sizes.growth, made);
 }
 
 DomainModel facetedModel(const Facets& facets, const MeshingOptions& options) {

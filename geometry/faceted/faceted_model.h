@@ -2,7 +2,12 @@
 // Not installed.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
+
 #include "geometry/domain/domain_model.h"
+#include "geometry/faceted/facet_surface.h"
 #include "geometry/faceted/patches.h"
 
 namespace af2::geometry {
@@ -13,6 +18,18 @@ namespace af2::geometry {
 /// Throws InputError for a feature angle that is not between 0 and 180 degrees.
 FeatureLimits featureLimitsFor(const Facets& facets, const MeshingOptions& options);
 
-DomainModel modelOf(PatchedFacets patched, const MeshingOptions& options);
+/// Faces that were made of patches, by the corners of their first triangles: a patch that comes
+/// again is not made again.
+struct MadeFaces {
+  struct Face {
+    FacetSurface surface;
+    DomainFace face;
+  };
+  std::map<std::array<std::uint32_t, 3>, Face> faces;
+};
+
+/// made  those of an earlier model, and afterwards those of this one; null: none
+DomainModel modelOf(PatchedFacets patched, const MeshingOptions& options,
+                    MadeFaces* made = nullptr);
 
 }  // namespace af2::geometry

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/base/constants.h"
+#include "geometry/domain/face_memory.h"
 #include "geometry/faceted/compared_mesh.h"
 #include "geometry/faceted/cones.h"
 #include "geometry/faceted/faceted_model.h"
@@ -63,9 +64,16 @@ bool leans(const ModelMesh& mesh) {
 /// Meshes patches, and cuts those that fail into pieces that are ever flatter.
 class CutMesher {
  public:
-  CutMesher(PatchedFacets patched, const FeatureLimits& limits, const AF2Algorithm& algorithm,
-            const MeshingOptions& options)
-      : best_{std::move(patched), {}}, limits_(limits), algorithm_(algorithm), options_(options) {}
+  /// made  the faces of the patches
+  CutMesher(PatchedFacets patched, MadeFaces made, const FeatureLimits& limits,
+            const AF2Algorithm& algorithm, const MeshingOptions& options)
+      : best_{std::move(patched), {}},
+        made_(std::move(made)),
+        limits_(limits),
+        algorithm_(algorithm),
+        options_(options) {
+    if (options.spool.when != SpoolRequest::When::Always) memory_ = std::make_shared<FaceMemory>();
+  }
 
   ModelMesh mesh(const DomainModel& whole) {
     const std::size_t count = best_.patched.patches.size();
@@ -90,12 +98,13 @@ class CutMesher {
     MeshingOptions options = options_;
     if (rounds) options.mostRetries = std::min(*rounds, options_.mostRetries.value_or(*rounds));
     model.mayTilt = mayTilt_;
+    model.memory = memory_;
     return meshDomain(model, algorithm_, options);
   }
 
   void meshOnceMore(std::optional<int> rounds) {
     if (options_.stop.stop_requested()) return;
-    ModelMesh again = meshed(modelOf(best_.patched, options_), rounds);
+    ModelMesh again = meshed(modelOf(best_.patched, options_, &made_), rounds);
     if (!(failedArea(again) > failedArea(best_.mesh))) best_.mesh = std::move(again);
   }
 
@@ -120,7 +129,7 @@ class CutMesher {
   }
 
   /// The curved patches that failed are in pieces; nothing if there is nothing to cut.
-  std::optional<State> cut(const State& state, const BordersIn& bordersIn) const {
+  std::optional<State> cut(const State& state, const BordersIn& bordersIn) {
     if (options_.stop.stop_requested()) return std::nullopt;
     std::set<FacetEdge> cuts;
     for (const FaceReport& face : state.mesh.faces)
@@ -130,7 +139,7 @@ class CutMesher {
     if (cuts.empty()) return std::nullopt;
     State next{cutPatches(state.patched, cuts, limits_), {}};
     if (next.patched.patches.size() == state.patched.patches.size()) return std::nullopt;
-    next.mesh = meshed(modelOf(next.patched, options_), 0);
+    next.mesh = meshed(modelOf(next.patched, options_, &made_), 0);
     return next;
   }
 
@@ -166,6 +175,8 @@ class CutMesher {
   }
 
   State best_;
+  MadeFaces made_;
+  std::shared_ptr<FaceMemory> memory_;  ///< null: faces are to be on disk
   const FeatureLimits& limits_;
   const AF2Algorithm& algorithm_;
   const MeshingOptions& options_;
@@ -180,14 +191,16 @@ ModelMesh meshFaceted(const Facets& facets, const AF2Algorithm& algorithm,
                       const std::function<void(const DomainModel&)>& check) {
   const FeatureLimits limits = featureLimitsFor(facets, options);
   PatchedFacets patched = findPatches(facets, limits);
-  const DomainModel whole = modelOf(patched, options);
+  MadeFaces made;
+  const DomainModel whole = modelOf(patched, options, &made);
   if (check) check(whole);
   if (namesFacesOrEdges(options)) {
     ModelMesh mesh = meshDomain(whole, algorithm, options);
     if (options.faces.empty() && options.faceNames.empty()) compareWithTriangles(facets, mesh);
     return mesh;
   }
-  ModelMesh mesh = CutMesher(std::move(patched), limits, algorithm, options).mesh(whole);
+  ModelMesh mesh =
+      CutMesher(std::move(patched), std::move(made), limits, algorithm, options).mesh(whole);
   compareWithTriangles(facets, mesh);
   return mesh;
 }

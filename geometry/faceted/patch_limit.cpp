@@ -54,6 +54,12 @@ class PatchLimit final : public CurvatureLimit {
   PatchLimit(FacetSurface surface, std::shared_ptr<const std::vector<double>> limits, double growth)
       : surface_(std::move(surface)), limits_(std::move(limits)), growth_(growth) {}
 
+  std::optional<std::vector<double>> numbers() const override {
+    std::vector<double> numbers;
+    surface_.forEachCurvature([&](std::uint32_t v, double) { numbers.push_back((*limits_)[v]); });
+    return numbers;
+  }
+
   double sizeAt(const SurfacePoint& point) const override {
     return surface_.interpolated(*limits_, point.position);
   }

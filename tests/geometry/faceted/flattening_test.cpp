@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,24 @@ double areaOfPicture(const Facets& facets) {
     area += cross(q - p, r - p) / 2;
   }
   return area;
+}
+
+TEST(FacetSurface, IsOfAPatchOnlyIfAllOfItIsTheSame) {
+  PatchedFacets tube = findPatches(openTube(170, 2, 10), testing::limitsFor(0.5));
+  ASSERT_EQ(tube.patches.size(), 1u);
+  const FacetSurface surface(tube, tube.patches[0], FacetSurface::Drawing::IfPossible);
+  EXPECT_TRUE(surface.isOf(tube, tube.patches[0]));
+  Patch part = tube.patches[0];
+  part.triangles.pop_back();
+  EXPECT_FALSE(surface.isOf(tube, part));
+  std::ranges::reverse(part.triangles = tube.patches[0].triangles);
+  EXPECT_FALSE(surface.isOf(tube, part));
+  PatchedFacets turned = tube;
+  turned.normals[7] = -1 * turned.normals[7];
+  EXPECT_FALSE(surface.isOf(turned, turned.patches[0]));
+  PatchedFacets moved = tube;
+  moved.facets.vertices[moved.facets.triangles[9][1]].z += 1e-9;
+  EXPECT_FALSE(surface.isOf(moved, moved.patches[0]));
 }
 
 TEST(SparseSystem, SolvesWhatIsNotSymmetric) {
