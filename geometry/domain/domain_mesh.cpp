@@ -164,8 +164,10 @@ class DomainFaces final : public FaceSource {
     const std::optional<FaceMemory::Key> key = keyOf(id, request, boundary);
     if (!key) return fill(id, request, boundary, mesh);
     std::shared_ptr<const FaceMemory::Filled> filled = model_.memory->find(*key);
-    if (!filled) filled = remembered(id, request, boundary, *key);
+    const bool isKnown = filled != nullptr;
+    if (!isKnown) filled = remembered(id, request, boundary, *key);
     take(*filled, boundary, mesh);
+    if (isKnown) mesh.optimizeSeconds = 0;
     if (filled->failure) std::rethrow_exception(filled->failure);
   }
 
@@ -207,7 +209,9 @@ class DomainFaces final : public FaceSource {
                         std::shared_ptr<const SizeField>(std::shared_ptr<void>(), &graded)};
     };
     const double expected = expectedOn(id, size);
-    const bool mayBeFine = sizes_->byPosition.isVaried() || options_->sizes.elementsPerTurn > 0 ||
+    // What curvature allows is in the expected number of elements, if a face has such a limit.
+    const bool mayBeFine = sizes_->byPosition.isVaried() ||
+                           (options_->sizes.elementsPerTurn > 0 && !limit) ||
                            sizes_->nearLoosePoints != nullptr;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
