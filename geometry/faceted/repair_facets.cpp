@@ -6,10 +6,12 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <ranges>
 #include <set>
 
 #include "geometry/base/box_tree.h"
 #include "geometry/base/disjoint_sets.h"
+#include "geometry/faceted/flats.h"
 #include "geometry/faceted/half_edges.h"
 #include "geometry/faceted/touching_parts.h"
 
@@ -21,6 +23,8 @@ using Edge = FacetEdge;
 
 /// Edges that lie nearer than this share of the diagonal are one.
 constexpr double kSame = 1e-5;
+/// The coordinates of binary STL files are no more exact than this share.
+constexpr double kTiny = 1e-7;
 
 class Repair {
  public:
@@ -83,9 +87,7 @@ class Repair {
     erase(isGone);
   }
 
-  /// The coordinates of binary STL files are no more exact than that.
   void collapseTinyEdges() {
-    constexpr double kTiny = 1e-7;  // of the diagonal
     DisjointSets sets(facets_.vertices.size());
     std::size_t count = 0;
     Point3 place;
@@ -116,13 +118,37 @@ class Repair {
     std::vector<bool> isTwin(sorted.size(), false);
     for (std::size_t i = 1; i < sorted.size(); ++i)
       isTwin[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
-    if (which == Twins::SameSide) keepThoseOfParts(isTwin);
+    if (which == Twins::SameSide)
+      keepThoseOfParts(isTwin);
+    else
+      addFlaps(sorted, isTwin);
     for (std::uint32_t t = 0; t < isTwin.size(); ++t) {
       if (!isTwin[t]) continue;
       ++twins_;
       if (!twinPlace_) twinPlace_ = at(facets_.triangles[t][0]);
     }
     erase(isTwin);
+  }
+
+  /// Both of two triangles without area that hang on others which match without them.
+  void addFlaps(const std::vector<std::pair<Triangle, std::uint32_t>>& sorted,
+                std::vector<bool>& isTwin) const {
+    const auto isFlat = [&](const Triangle& c) {
+      const Point3 p = at(c[1]) - at(c[0]), q = at(c[2]) - at(c[0]);
+      const double longest = std::max({length(p), length(q), length(q - p)});
+      return length(cross(p, q)) <= kTiny * diagonal_ * longest;
+    };
+    std::vector<bool> isFlap(isTwin.size(), false);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted[i].first == sorted[i - 1].first && isFlat(sorted[i].first))
+        isFlap[sorted[i - 1].second] = isFlap[sorted[i].second] = true;
+    if (std::ranges::none_of(isFlap, std::identity())) return;
+    HalfEdges(facets_.triangles).forEachEdge([&](const Edge&, auto halves) {
+      const auto others = std::ranges::count_if(halves, [&](HalfEdge h) { return !isFlap[h / 3]; });
+      if (others >= 2 || (others == 0 && halves.size() == 2)) return;
+      for (const HalfEdge h : halves) isFlap[h / 3] = false;
+    });
+    for (std::size_t t = 0; t < isTwin.size(); ++t) isTwin[t] = isTwin[t] || isFlap[t];
   }
 
   /// Where each edge is used equally often in both directions, closed parts coincide, and removing
@@ -232,10 +258,9 @@ class Repair {
 
   /// Where several open edges run along one, its triangle is split at their vertices.
   void splitAtVertices() {
-    constexpr int kMaxRounds = 3;  // one for each side of a triangle
     std::size_t count = 0;
     std::optional<Point3> place;
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int sides = 0; sides < 3; ++sides) {  // a triangle may be split at each of them
       const std::vector<HalfEdge> open = openEdges();
       const std::vector<std::uint32_t> vertices = verticesOf(open);
       const BoxTree tree = treeOf(vertices);
@@ -277,9 +302,8 @@ class Repair {
       if (distance(at(v), from + within * along) <= tolerance_) found.emplace_back(within, v);
     });
     std::ranges::sort(found);
-    std::vector<std::uint32_t> inner;
-    for (const auto& [within, v] : found) inner.push_back(v);
-    return inner;
+    const auto inner = found | std::views::values;
+    return {inner.begin(), inner.end()};
   }
 
   /// Whether open edges lead from the start of an edge over these vertices to its end.
@@ -359,10 +383,7 @@ class Repair {
 
   int lesserSide(const std::vector<std::uint32_t>& part, const std::vector<int>& side) const {
     double balance = 0;
-    for (const std::uint32_t t : part) {
-      const Triangle& c = facets_.triangles[t];
-      balance += side[t] * length(cross(at(c[1]) - at(c[0]), at(c[2]) - at(c[0])));
-    }
+    for (const std::uint32_t t : part) balance += side[t] * areaOf(facets_, t);
     return balance >= 0 ? -1 : 1;
   }
 

@@ -159,6 +159,23 @@ TEST(FacetFaults, LikeTrianglesThatAreThereTwiceAreLeftOut) {
   expectABox(facets);
 }
 
+TEST(FacetFaults, LikeFlapsWithoutAreaAreLeftOut) {
+  // From both sides: between the middle of an edge of the lid and its ends.
+  const std::string lid = "v 1 0 2\nf 5 9 8\nf 9 7 8\nf 9 6 7\n";
+  const std::string others =
+      "f 1 4 3 2\nf 1 2 6\nf 1 6 9\nf 1 9 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  const Facets facets = read(kBoxVertices + lid + others + "f 5 9 6\nf 6 9 5\n");
+  EXPECT_EQ(facets.triangles.size(), 14u);
+  ASSERT_EQ(facets.notes.size(), 1u);
+  EXPECT_NE(facets.notes[0].find("2 triangles had the same corners"), std::string::npos);
+  expectABox(facets);
+}
+
+TEST(FacetFaults, LikeFlapsWithAreaAreKept) {
+  const Facets facets = read(kBoxVertices + kBoxFaces + "v 1 0 3\nf 5 9 6\nf 6 9 5\n");
+  EXPECT_EQ(facets.triangles.size(), 13u);  // once, as a fin
+}
+
 TEST(FacetFaults, LikeEdgesWithoutLengthAreCollapsed) {
   // The middle of the lid is two vertices, with two needles between them.
   const Facets facets = read(kBoxVertices +
