@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/base/error.h"
+#include "engine/mesh/element_area.h"
 #include "engine/run/algorithm.h"
 #include "tests/support/meshing.h"
 #include "tests/support/recorded_run.h"
@@ -54,6 +55,42 @@ TEST(UserCode, ExceptionsOfTheProgressCallbackReachTheCaller) {
   FrontOptions options;
   options.progress = [](const Progress&) { throw UserError(); };
   EXPECT_THROW(run(square(.01), .01, options), UserError);
+}
+
+/// Finds new points on the base edge, inside by what rounding leaves.
+class FlatteningMaker final : public AF2LocalTransformMaker {
+ public:
+  std::unique_ptr<AF2LocalTransform> makeLocalTransform(const SurfacePoint& from,
+                                                        const SurfacePoint& to,
+                                                        double unit) const override {
+    return std::make_unique<Chart>(from.position, to.position, unit);
+  }
+
+ private:
+  class Chart final : public AF2LocalTransform {
+   public:
+    Chart(const Point3& from, const Point3& to, double unit)
+        : from_(from), along_(to - from), flat_(flatChart(from, to, unit)) {}
+    ChartPoint transformFromSurface(const SurfacePoint& p) const override {
+      return flat_.transformFromSurface(p);
+    }
+    std::optional<SurfacePoint> transformToSurface(Point2) const override {
+      constexpr double kRounding = 1e-16;
+      const Point3 normal{0, 0, 1};
+      return SurfacePoint{from_ + 0.5 * along_ + kRounding * cross(normal, along_), normal, 0, 0};
+    }
+
+   private:
+    Point3 from_, along_;
+    PlaneChart flat_;
+  };
+};
+
+TEST(UserCode, APointOnTheBaseMakesNoElement) {
+  const MeshingResult result =
+      AF2Algorithm(triangleSet()).execute(FlatteningMaker(), square(.1), UniformSize(.1));
+  EXPECT_EQ(result.outcome, Outcome::Stuck);
+  for (const Element& element : result.mesh.elements) EXPECT_GT(areaOf(result.mesh, element), 1e-6);
 }
 
 /// Fails in a part of the plane, in one way or another.
