@@ -10,8 +10,6 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <iterator>
-#include <optional>
-#include <sstream>
 
 #include "engine/base/error.h"
 #include "geometry/base/utf8.h"
@@ -26,7 +24,6 @@
 #include "geometry/occ/step/lost_step_faces.h"
 #include "geometry/occ/step/step_document.h"
 #include "geometry/occ/step/step_groups.h"
-#include "geometry/occ/step/step_omissions.h"
 #include "geometry/occ/step/without_checks.h"
 
 namespace af2::geometry {
@@ -109,15 +106,6 @@ void tell(const ExternalParts& parts, const std::filesystem::path& path,
     notes.push_back("parts of the assembly were read from " + listed(parts.read));
 }
 
-IFSelect_ReturnStatus readInto(STEPControl_Reader& reader, const std::filesystem::path& path) {
-  giveLexerBlocks();
-  repairShapesQuickly();
-  const std::optional<std::string> mended = withOmittedNames(path);
-  if (!mended) return reader.ReadFile(path.c_str());
-  std::istringstream text(*mended);
-  return reader.ReadStream(path.c_str(), text);
-}
-
 }  // namespace
 
 ReadShape readStep(const std::filesystem::path& path) {
@@ -127,7 +115,9 @@ ReadShape readStep(const std::filesystem::path& path) {
   const WithoutSmoothEdges smooth;
   const bool isUtf8 = isUtf8File(path);
   const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
-  if (readInto(reader, path) != IFSelect_RetDone)
+  giveLexerBlocks();
+  repairShapesQuickly();
+  if (readStepText(reader, path) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or truncated; export the model again");
   ReadShape result;

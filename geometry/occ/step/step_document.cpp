@@ -9,9 +9,12 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
+#include <optional>
+#include <sstream>
 
 #include "geometry/occ/step/endless_profiles.h"
 #include "geometry/occ/step/step_attributes.h"
+#include "geometry/occ/step/step_omissions.h"
 
 namespace af2::geometry {
 namespace {
@@ -33,6 +36,13 @@ bool isStep(const Handle(TCollection_HAsciiString) & format) {
 }
 
 }  // namespace
+
+IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path) {
+  const std::optional<std::string> mended = mendedStepText(path);
+  if (!mended) return reader.ReadFile(path.c_str());
+  std::istringstream text(*mended);
+  return reader.ReadStream(path.c_str(), text);
+}
 
 std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name) {
   return (file.parent_path() / name).lexically_normal();
@@ -148,7 +158,7 @@ const StepDocument::OtherFile& StepDocument::readOther(const std::filesystem::pa
   session->SelectNorm("STEP");
   constexpr bool kFromScratch = false;
   STEPControl_Reader reader(session, kFromScratch);
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) return known->second;
+  if (readStepText(reader, path) != IFSelect_RetDone) return known->second;
   if (!transfer(reader, path)) return known->second;
   known->second.session = session;
   known->second.top = static_cast<int>(tops_.size()) - reader.NbShapes();

@@ -23,6 +23,9 @@ struct PlacedStepPart {
 /// Where a file is that another one refers to.
 std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name);
 
+/// Reads the text of a file (mendedStepText).
+IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path);
+
 class StepDocument {
  public:
   /// Makes shapes of all that a file has, and of the files that it refers to; returns whether there

@@ -30,29 +30,61 @@ std::optional<std::size_t> omittedAt(std::string_view text, std::size_t at) {
   return open + 1;
 }
 
+/// What is to be put in place of a part of the text.
+struct Mend {
+  std::size_t at = 0, length = 0;
+  std::string_view by;
+};
+
+bool isDigitAt(std::string_view text, std::size_t at) {
+  return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
+}
+
+/// If there is an exponent at `at`: its letter, with the point that a real must have.
+std::optional<Mend> exponentAt(std::string_view text, std::size_t at) {
+  const bool isSigned = text.substr(at + 1, 1) == "+" || text.substr(at + 1, 1) == "-";
+  if (at == 0 || !isDigitAt(text, at + (isSigned ? 2 : 1))) return std::nullopt;
+  if (text[at - 1] == '.')
+    return isDigitAt(text, at - 2) ? std::optional(Mend{at, 1, "E"}) : std::nullopt;
+  std::size_t first = at;
+  while (first > 0 && isDigitAt(text, first - 1)) --first;
+  if (first == at || (first > 0 && isPartOfWord(text[first - 1]))) return std::nullopt;
+  return Mend{at, 1, first > 0 && text[first - 1] == '.' ? "E" : ".E"};
+}
+
+constexpr char kExponent = 'e';
+
+std::optional<Mend> mendAt(std::string_view text, std::size_t at) {
+  if (text[at] == kExponent) return exponentAt(text, at);
+  if (text[at] != kNamed.front()) return std::nullopt;
+  const auto place = omittedAt(text, at);
+  return place ? std::optional(Mend{*place, 0, "''"}) : std::nullopt;
+}
+
 /// Or something in a string looks like it.
-bool mayOmitNames(std::string_view text) {
-  for (std::size_t at = text.find(kNamed); at != std::string_view::npos;
-       at = text.find(kNamed, at + 1))
+bool mayNeedMending(std::string_view text) {
+  for (std::size_t at = text.find(kNamed); at != text.npos; at = text.find(kNamed, at + 1))
     if (omittedAt(text, at)) return true;
+  for (std::size_t at = text.find(kExponent); at != text.npos; at = text.find(kExponent, at + 1))
+    if (exponentAt(text, at)) return true;
   return false;
 }
 
 }  // namespace
 
-std::optional<std::string> withOmittedNames(const std::filesystem::path& path) {
+std::optional<std::string> mendedStepText(const std::filesystem::path& path) {
   const std::string text = contentOf(path);
-  if (!mayOmitNames(text)) return std::nullopt;
+  if (!mayNeedMending(text)) return std::nullopt;
   std::string mended;
   std::size_t copied = 0;
   bool isInString = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\'') isInString = !isInString;
-    if (isInString || text[i] != kNamed.front()) continue;
-    const auto place = omittedAt(text, i);
-    if (!place) continue;
-    mended.append(text, copied, *place - copied).append("''");
-    copied = *place;
+    if (isInString) continue;
+    const auto mend = mendAt(text, i);
+    if (!mend) continue;
+    mended.append(text, copied, mend->at - copied).append(mend->by);
+    copied = mend->at + mend->length;
   }
   if (copied == 0) return std::nullopt;
   return mended.append(text, copied);

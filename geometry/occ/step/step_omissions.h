@@ -1,4 +1,4 @@
-// Puts back what STEP files leave out although it says nothing.
+// Mends what OpenCASCADE's lexer of STEP files refuses although its meaning is plain.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,12 @@
 
 namespace af2::geometry {
 
-/// The text of a STEP file with an empty name wherever a complex entity leaves out its name:
-/// `REPRESENTATION_ITEM()` becomes `REPRESENTATION_ITEM('')`. OpenCASCADE would not read such an
-/// entity at all, and its face would be lost. Nothing if the file has all names.
-std::optional<std::string> withOmittedNames(const std::filesystem::path& path);
+/// The text of a STEP file, mended. OpenCASCADE would lose the entities, and with them faces, in
+/// which
+/// * a complex entity leaves out its name: `REPRESENTATION_ITEM()` becomes
+///   `REPRESENTATION_ITEM('')`;
+/// * the exponent of a real has a small letter, as scripts write it: `1e-7` becomes `1.E-7`.
+/// Nothing if the file has neither.
+std::optional<std::string> mendedStepText(const std::filesystem::path& path);
 
 }  // namespace af2::geometry

@@ -120,6 +120,24 @@ TEST(LostFaces, AreNoneWhereOnlyANameIsLeftOut) {
   EXPECT_EQ(testing::mesh(model, 1).vertices, sound.vertices);
 }
 
+/// Scripts write reals like this.
+TEST(LostFaces, AreNoneWhereExponentsHaveSmallLetters) {
+  std::string text = testing::inStep(BRepPrimAPI_MakeBox(10, 20, 30).Shape());
+  const ModelMesh sound = testing::mesh(read("sound.step", text), 5);
+  replace(text, "CARTESIAN_POINT('',(10.,0.,0.))", "CARTESIAN_POINT('1e1',(1e1,-0.0e-17,.0e+3))");
+  const std::string name = "Open CASCADE STEP translator";
+  while (text.find(name) != std::string::npos) replace(text, name, "3e4 brick");
+  const Model model = read("exponents.step", text);
+  EXPECT_EQ(model.faceCount(), 6);
+  EXPECT_TRUE(model.lostFaces().empty());
+  EXPECT_TRUE(model.notes().empty());
+  EXPECT_EQ(testing::mesh(model, 5).vertices, sound.vertices);
+  const auto named = [](const FaceGroup& group) {
+    return group.name.find("3e4 brick") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(model.groups(), named));
+}
+
 /// Plain faces that share no edges, as IGES has them.
 std::string boxInIges() { return testing::inIges({BRepPrimAPI_MakeBox(10, 20, 30).Shape()}); }
 
