@@ -12,6 +12,7 @@
 #include <optional>
 #include <sstream>
 
+#include "engine/base/error.h"
 #include "geometry/occ/step/endless_profiles.h"
 #include "geometry/occ/step/step_attributes.h"
 #include "geometry/occ/step/step_omissions.h"
@@ -158,7 +159,11 @@ const StepDocument::OtherFile& StepDocument::readOther(const std::filesystem::pa
   session->SelectNorm("STEP");
   constexpr bool kFromScratch = false;
   STEPControl_Reader reader(session, kFromScratch);
-  if (readStepText(reader, path) != IFSelect_RetDone) return known->second;
+  try {
+    if (readStepText(reader, path) != IFSelect_RetDone) return known->second;
+  } catch (const InputError&) {  // it is not there, or may not be read
+    return known->second;
+  }
   if (!transfer(reader, path)) return known->second;
   known->second.session = session;
   known->second.top = static_cast<int>(tops_.size()) - reader.NbShapes();
