@@ -233,14 +233,15 @@ class DomainFaces final : public FaceSource {
   std::optional<FaceMemory::Key> keyOf(int id, const FillRequest& request,
                                        const FaceBoundary& boundary) const {
     const bool isPlain = request.sizes.isSameAs(options_->sizes.function) && !boundary.layers &&
-                         boundary.fans.empty() && !request.options.observer;
-    if (!model_.memory || !isPlain) return std::nullopt;
+                         boundary.fans.empty();
+    // Observers want to see each front, and all processes of a crew must take part in the same.
+    const bool isAlone = !request.options.observer && !request.options.crew;
+    if (!model_.memory || !isPlain || !isAlone) return std::nullopt;
     FaceMemory::Key key{at(id).surface, {}};
-    std::vector<double>& numbers = key.numbers;
     if (const CurvatureLimit* limit = limitOf(id)) {
       std::optional<std::vector<double>> own = limit->numbers();
       if (!own) return std::nullopt;
-      numbers = *std::move(own);
+      key.numbers = *std::move(own);
     }
     const TryLimits& limits = request.limits;
     for (const double number :
@@ -248,20 +249,10 @@ class DomainFaces final : public FaceSource {
           limits.refusesReflex + 0., limits.failedBefore + 0., limits.hasOriginalSizes + 0.,
           sizes_->onFace[indexOf(id)], static_cast<double>(boundary.input.vertexCount),
           boundary.closedInParameters + 0., boundary.canBeCut + 0.})
-      numbers.push_back(number);
-    for (const auto& loop : boundary.input.loops) addTo(numbers, loop);
-    addTo(numbers, boundary.input.isolated);
+      key.numbers.push_back(number);
+    for (const auto& loop : boundary.input.loops) key.add(loop);
+    key.add(boundary.input.isolated);
     return key;
-  }
-
-  static void addTo(std::vector<double>& numbers, const std::vector<BoundaryCorner>& corners) {
-    numbers.push_back(static_cast<double>(corners.size()));
-    for (const auto& [vertex, point] : corners) {
-      numbers.push_back(vertex.value);
-      for (const Point3& p : {point.position, point.normal})
-        numbers.insert(numbers.end(), {p.x, p.y, p.z});
-      numbers.insert(numbers.end(), {point.u, point.v});
-    }
   }
 
   std::shared_ptr<const FaceMemory::Filled> remembered(int id, const FillRequest& request,

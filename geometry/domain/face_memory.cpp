@@ -5,6 +5,16 @@
 
 namespace af2::geometry {
 
+void FaceMemory::Key::add(const std::vector<BoundaryCorner>& corners) {
+  numbers.push_back(static_cast<double>(corners.size()));
+  for (const auto& [vertex, point] : corners) {
+    numbers.push_back(vertex.value);
+    for (const Point3& p : {point.position, point.normal})
+      numbers.insert(numbers.end(), {p.x, p.y, p.z});
+    numbers.insert(numbers.end(), {point.u, point.v});
+  }
+}
+
 std::shared_ptr<const FaceMemory::Filled> FaceMemory::find(const Key& key) const {
   const std::lock_guard lock(mutex_);
   const auto ofSurface = known_.find(key.surface);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <vector>
 
+#include "engine/mesh/front_input.h"
 #include "geometry/charts/charted_surface.h"
 #include "geometry/mesh/face_mesh.h"
 
@@ -19,6 +20,7 @@ class FaceMemory {
   struct Key {
     std::shared_ptr<const ChartedSurface> surface;
     std::vector<double> numbers;  ///< all else on which the mesh depends
+    void add(const std::vector<BoundaryCorner>& corners);
   };
   struct Filled {
     /// Without what depends on the numbers of points and edges: `boundary` and `uses`.
