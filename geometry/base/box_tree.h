@@ -26,10 +26,6 @@ struct Box3 {
     return (low.x <= other.high.x) & (other.low.x <= high.x) & (low.y <= other.high.y) &
            (other.low.y <= high.y) & (low.z <= other.high.z) & (other.low.z <= high.z);
   }
-  bool contains(const Point3& p) const {
-    return (low.x <= p.x) & (p.x <= high.x) & (low.y <= p.y) & (p.y <= high.y) & (low.z <= p.z) &
-           (p.z <= high.z);
-  }
   /// Zero inside.
   double distanceTo(const Point3& p) const { return std::sqrt(squaredDistanceTo(p)); }
   double squaredDistanceTo(const Point3& p) const {
@@ -79,11 +75,14 @@ class BoxTree {
   }
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
-  /// A box that contains p and that `accepts(index)`: the first in an order that depends on the
-  /// boxes alone; kNone if there is none.
+  /// The lowest index of a box that contains p and that `accepts(index)`; kNone if there is none.
   template <class Accepts>
   std::uint32_t firstAt(const Point3& p, Accepts&& accepts) const {
-    return nodes_.empty() ? kNone : lookAt(0, 0, order_.size(), p, accepts);
+    std::uint32_t first = kNone;
+    forEachIn(Box3{p, p}, [&](std::uint32_t i) {
+      if (i < first && accepts(i)) first = i;
+    });
+    return first;
   }
 
  private:
@@ -133,20 +132,6 @@ class BoxTree {
     if (leftFirst && toLeft <= best.farthest) seek(left, first, half, p, distance, best);
     if (toRight <= best.farthest) seek(right, half, last, p, distance, best);
     if (!leftFirst && toLeft <= best.farthest) seek(left, first, half, p, distance, best);
-  }
-
-  template <class Accepts>
-  std::uint32_t lookAt(std::size_t node, std::size_t first, std::size_t last, const Point3& p,
-                       Accepts& accepts) const {
-    if (!nodes_[node].contains(p)) return kNone;
-    if (last - first <= kLeaf) {
-      for (std::size_t i = first; i < last; ++i)
-        if (leaves_[i].contains(p) && accepts(order_[i])) return order_[i];
-      return kNone;
-    }
-    const std::size_t half = middle(first, last);
-    const std::uint32_t found = lookAt(2 * node + 1, first, half, p, accepts);
-    return found != kNone ? found : lookAt(2 * node + 2, half, last, p, accepts);
   }
 
   std::vector<Box3> nodes_;           ///< a heap: the halves of node i are 2 i + 1 and 2 i + 2

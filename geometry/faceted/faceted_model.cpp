@@ -32,10 +32,12 @@ class ModelMaker {
         patched_(*shared_),
         facets_(patched_.facets),
         made_(std::move(made)),
+        known_(patched_.patches.size()),
         surfaces_(patched_.patches.size()) {
     forEachInParallel(surfaces_.size(), threads, [&](std::size_t i) {
-      if (const MadeFaces::Face* known = madeOf(patched_.patches[i]))
-        surfaces_[i] = known->surface;
+      known_[i] = madeOf(patched_.patches[i]);
+      if (known_[i])
+        surfaces_[i] = known_[i]->surface;
       else
         surfaces_[i].emplace(patched_, patched_.patches[i], drawingOf(patched_.patches[i]));
     });
@@ -136,10 +138,9 @@ class ModelMaker {
   }
 
   void addFace(std::size_t index) {
-    const Patch& patch = patched_.patches[index];
-    const MadeFaces::Face* known = madeOf(patch);
+    const MadeFaces::Face* known = known_[index];
     model_.faces.push_back(known ? known->face : faceOf(*surfaces_[index]));
-    model_.faces.back().loops = patch.loops;
+    model_.faces.back().loops = patched_.patches[index].loops;
   }
 
   static DomainFace faceOf(const FacetSurface& surface) {
@@ -211,6 +212,7 @@ class ModelMaker {
   const PatchedFacets& patched_;
   const Facets& facets_;
   const MadeFaces made_;                               // before
+  std::vector<const MadeFaces::Face*> known_;          // by patch; null: it is new
   std::vector<std::optional<FacetSurface>> surfaces_;  // by patch
   std::vector<std::size_t> corner_;                    // by vertex of the facets
   std::vector<std::vector<std::uint32_t>> knots_;      // by curve: vertices of the facets

@@ -9,6 +9,7 @@
 
 #include "engine/base/predicates.h"
 #include "geometry/faceted/facet_surface.h"
+#include "geometry/faceted/faceted_model.h"
 #include "geometry/faceted/mesh_faceted.h"
 #include "geometry/faceted/sparse_system.h"
 #include "tests/geometry/faceted/faceted_mesh.h"
@@ -50,6 +51,18 @@ double areaOfPicture(const Facets& facets) {
     area += cross(q - p, r - p) / 2;
   }
   return area;
+}
+
+TEST(FacetSurface, IsMadeAgainOnlyForAPatchThatHasChanged) {
+  MeshingOptions options;
+  options.sizes.size = 0.5;
+  PatchedFacets tube = findPatches(openTube(170, 2, 10), testing::limitsFor(0.5));
+  MadeFaces made;
+  const DomainModel first = modelOf(tube, options, &made), second = modelOf(tube, options, &made);
+  ASSERT_EQ(first.faces.size(), 1u);
+  EXPECT_EQ(first.faces[0].surface, second.faces[0].surface);
+  tube.normals[7] = -1 * tube.normals[7];
+  EXPECT_NE(modelOf(tube, options, &made).faces[0].surface, first.faces[0].surface);
 }
 
 TEST(FacetSurface, IsOfAPatchOnlyIfAllOfItIsTheSame) {

@@ -272,7 +272,7 @@ TEST(MeshMerged, KeepsABoundWithoutManyMoreElementsThanThePlainMesh) {
     ASSERT_GT(mesh.merging->groups.size(), 0u);
     ASSERT_TRUE(mesh.deviation.has_value());
     EXPECT_LE(mesh.deviation->largest, bound);
-    EXPECT_LT(mesh.elements.size(), 1.75 * plain.elements.size());
+    EXPECT_LT(mesh.elements.size(), 1.6 * plain.elements.size());
   }
 }
 
