@@ -2,11 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "dsl/compile/library.h"
 #include "dsl/syntax/grammar.h"
 #include "engine/base/error.h"
+#include "geometry/base/utf8.h"
 #include "geometry/io/output_file.h"
 
 namespace af2::playground {
@@ -17,15 +16,6 @@ std::string versionOf(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return fmt::format("{:016x}", hash);
-}
-
-bool isUtf8(const std::string& text) {
-  try {
-    static_cast<void>(nlohmann::json(text).dump());  // strict: throws at the first wrong byte
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
 }
 
 }  // namespace
@@ -41,7 +31,7 @@ RuleFile::RuleFile(std::filesystem::path path) : path_(std::move(path)) {
   if (!content.fault.empty()) throw InputError(fmt::format("'{}': {}", name, content.fault));
   if (content.text.size() > maxTextBytes())
     throw InputError(fmt::format("'{}' is longer than 8 MiB, which no rule file may be", name));
-  if (!isUtf8(content.text))
+  if (!geometry::isUtf8(content.text))
     throw InputError(
         fmt::format("'{}' is not UTF-8 text; convert it first, such as with iconv", name));
 }

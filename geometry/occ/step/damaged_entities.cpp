@@ -15,10 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <map>
 #include <optional>
-
-#include "geometry/occ/step/step_numbers.h"
 
 namespace af2::geometry {
 
@@ -48,10 +45,10 @@ const char* damageIn(const Handle(Interface_Check) & check, bool hasValues) {
 
 class Damage {
  public:
-  Damage(const Handle(XSControl_WorkSession) & session, const std::filesystem::path& path)
+  Damage(const Handle(XSControl_WorkSession) & session, std::map<int, std::string> unusable)
       : session_(session),
         model_(Handle(StepData_StepModel)::DownCast(session->Model())),
-        unusable_(unusableNumbersOf(path)) {}
+        unusable_(std::move(unusable)) {}
 
   StepDamage takeOut() {
     for (int i = 1; i <= model_->NbEntities(); ++i) lookAt(i);
@@ -160,8 +157,8 @@ class Damage {
 }  // namespace
 
 StepDamage takeOutDamage(const Handle(XSControl_WorkSession) & session,
-                         const std::filesystem::path& path) {
-  return Damage(session, path).takeOut();
+                         std::map<int, std::string> unusable) {
+  return Damage(session, std::move(unusable)).takeOut();
 }
 
 }  // namespace af2::geometry

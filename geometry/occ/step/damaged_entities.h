@@ -3,7 +3,7 @@
 #pragma once
 
 #include <XSControl_WorkSession.hxx>
-#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,8 @@ struct StepDamage {
 /// memory. Faces that depend on such an entity are removed from the model. Call this before the
 /// transfer.
 ///
-/// path  the file that the session has read
+/// unusable  the numbers in the file that are not usable (unusableNumbersIn)
 StepDamage takeOutDamage(const Handle(XSControl_WorkSession) & session,
-                         const std::filesystem::path& path);
+                         std::map<int, std::string> unusable);
 
 }  // namespace af2::geometry

@@ -13,17 +13,18 @@
 
 #include "engine/base/error.h"
 #include "geometry/base/utf8.h"
+#include "geometry/base/words.h"
 #include "geometry/occ/base/quick_repairs.h"
 #include "geometry/occ/base/trial.h"
 #include "geometry/occ/model/turned_faces.h"
 #include "geometry/occ/read/reader_setting.h"
 #include "geometry/occ/read/readers.h"
-#include "geometry/occ/step/block_lexer.h"
 #include "geometry/occ/step/damaged_entities.h"
 #include "geometry/occ/step/external_parts.h"
 #include "geometry/occ/step/lost_step_faces.h"
 #include "geometry/occ/step/step_document.h"
 #include "geometry/occ/step/step_groups.h"
+#include "geometry/occ/step/step_numbers.h"
 #include "geometry/occ/step/without_checks.h"
 
 namespace af2::geometry {
@@ -113,17 +114,18 @@ ReadShape readStep(const std::filesystem::path& path) {
   const WithoutChecks unchecked;
   const ReaderSetting unit("xstep.cascade.unit", "MM");
   const WithoutSmoothEdges smooth;
-  const bool isUtf8 = isUtf8File(path);
-  const ReaderSetting codepage("read.step.codepage", isUtf8 ? "UTF8" : "CP1252");
-  giveLexerBlocks();
+  std::string text = contentOf(path);
+  const bool hasUtf8 = isUtf8(text);
+  const ReaderSetting codepage("read.step.codepage", hasUtf8 ? "UTF8" : "CP1252");
   repairShapesQuickly();
-  if (readStepText(reader, path) != IFSelect_RetDone)
+  std::map<int, std::string> unusable = unusableNumbersIn(text);
+  if (readStepText(reader, path, std::move(text)) != IFSelect_RetDone)
     throw InputError(path.string() +
                      ": this STEP file is damaged or truncated; export the model again");
   ReadShape result;
-  if (!isUtf8)
+  if (!hasUtf8)
     result.notes.push_back("the names in the file are not in UTF-8; read as in Windows-1252");
-  const StepDamage damage = takeOutDamage(reader.WS(), path);
+  const StepDamage damage = takeOutDamage(reader.WS(), std::move(unusable));
   if (!damage.text.empty()) {
     constexpr std::chrono::seconds kLimit(30);
     if (!survives([&] { StepDocument().transfer(reader, path); }, kLimit))

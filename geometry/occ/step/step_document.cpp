@@ -9,12 +9,12 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
-#include <optional>
-#include <sstream>
 
 #include "engine/base/error.h"
+#include "geometry/base/words.h"
 #include "geometry/occ/step/endless_profiles.h"
 #include "geometry/occ/step/step_attributes.h"
+#include "geometry/occ/step/step_library.h"
 #include "geometry/occ/step/step_omissions.h"
 
 namespace af2::geometry {
@@ -38,11 +38,15 @@ bool isStep(const Handle(TCollection_HAsciiString) & format) {
 
 }  // namespace
 
-IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path) {
-  const std::optional<std::string> mended = mendedStepText(path);
-  if (!mended) return reader.ReadFile(path.c_str());
-  std::istringstream text(*mended);
-  return reader.ReadStream(path.c_str(), text);
+IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path,
+                                   std::string text) {
+  mendStepText(text);
+  const Handle(XSControl_WorkSession) session = reader.WS();
+  const Handle(IFSelect_WorkLibrary) given = session->WorkLibrary();
+  session->SetLibrary(new StepLibrary(std::move(text)));
+  const IFSelect_ReturnStatus status = reader.ReadFile(path.c_str());
+  session->SetLibrary(given);
+  return status;
 }
 
 std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name) {
@@ -160,7 +164,7 @@ const StepDocument::OtherFile& StepDocument::readOther(const std::filesystem::pa
   constexpr bool kFromScratch = false;
   STEPControl_Reader reader(session, kFromScratch);
   try {
-    if (readStepText(reader, path) != IFSelect_RetDone) return known->second;
+    if (readStepText(reader, path, contentOf(path)) != IFSelect_RetDone) return known->second;
   } catch (const InputError&) {  // it is not there, or may not be read
     return known->second;
   }

@@ -23,8 +23,9 @@ struct PlacedStepPart {
 /// Where a file is that another one refers to.
 std::filesystem::path besideStepFile(const std::filesystem::path& file, const std::string& name);
 
-/// Reads the text of a file (mendedStepText). Throws InputError if there is none.
-IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path);
+/// Gives a reader the text of a file, mended (mendStepText).
+IFSelect_ReturnStatus readStepText(STEPControl_Reader& reader, const std::filesystem::path& path,
+                                   std::string text);
 
 class StepDocument {
  public:

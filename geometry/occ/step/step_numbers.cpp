@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <string_view>
-
-#include "geometry/base/words.h"
 
 namespace af2::geometry {
 
@@ -48,6 +45,8 @@ class UnusableNumbers {
   }
 
   void readNumber() {
+    isStart_ = false;
+    if (skipUsual()) return;
     constexpr double kHuge = 1e100;
     double value = 0;
     const char* const begin = text_.data() + at_;
@@ -59,7 +58,19 @@ class UnusableNumbers {
     if (isNone) number = text_.substr(at_, text_.find_first_of(",)", at_) - at_);
     if (isTooLarge || isNone) found_.try_emplace(label_, number);
     at_ += number.size();
-    isStart_ = false;
+  }
+
+  /// Skips a number with few digits that is not raised to a positive power: most are such, and
+  /// numbers take long to read.
+  bool skipUsual() {
+    constexpr std::size_t kFew = 100;
+    const std::size_t after = std::min(text_.find_first_not_of("0123456789.", at_), text_.size());
+    const std::string_view next = text_.substr(after, 2);
+    const bool isRaised = next.starts_with('E') || next.starts_with('e');
+    if (after - at_ >= kFew || next.starts_with('#') || (isRaised && !next.ends_with('-')))
+      return false;
+    at_ = after;
+    return true;
   }
 
   std::string_view text_;
@@ -71,8 +82,7 @@ class UnusableNumbers {
 
 }  // namespace
 
-std::map<int, std::string> unusableNumbersOf(const std::filesystem::path& path) {
-  const std::string text = contentOf(path);
+std::map<int, std::string> unusableNumbersIn(std::string_view text) {
   return UnusableNumbers(text).find();
 }
 

@@ -1,9 +1,8 @@
 #include "geometry/occ/step/step_omissions.h"
 
 #include <cctype>
+#include <optional>
 #include <string_view>
-
-#include "geometry/base/words.h"
 
 namespace af2::geometry {
 
@@ -72,9 +71,8 @@ bool mayNeedMending(std::string_view text) {
 
 }  // namespace
 
-std::optional<std::string> mendedStepText(const std::filesystem::path& path) {
-  const std::string text = contentOf(path);
-  if (!mayNeedMending(text)) return std::nullopt;
+void mendStepText(std::string& text) {
+  if (!mayNeedMending(text)) return;
   std::string mended;
   std::size_t copied = 0;
   bool isInString = false;
@@ -86,8 +84,7 @@ std::optional<std::string> mendedStepText(const std::filesystem::path& path) {
     mended.append(text, copied, mend->at - copied).append(mend->by);
     copied = mend->at + mend->length;
   }
-  if (copied == 0) return std::nullopt;
-  return mended.append(text, copied);
+  text = mended.append(text, copied);
 }
 
 }  // namespace af2::geometry

@@ -5,19 +5,13 @@
 namespace af2::geometry {
 namespace {
 
-bool isUtf8(std::string_view text) {
-  Utf8Check check;
-  for (const char c : text) check.take({&c, 1});
-  return check.isUtf8();
-}
-
-TEST(Utf8Check, AcceptsCharactersOfAllLengths) {
+TEST(Utf8, AcceptsCharactersOfAllLengths) {
   EXPECT_TRUE(isUtf8(""));
   EXPECT_TRUE(isUtf8("plain"));
   EXPECT_TRUE(isUtf8("T\xc3\xa4l \xe2\x82\xac \xf0\x9f\x98\x80"));
 }
 
-TEST(Utf8Check, RejectsOtherEncodingsAndCutCharacters) {
+TEST(Utf8, RejectsOtherEncodingsAndCutCharacters) {
   EXPECT_FALSE(isUtf8("T\xe4l"));                // Latin-1
   EXPECT_FALSE(isUtf8("\x83\x8a\x83\x93\x83"));  // Shift-JIS
   EXPECT_FALSE(isUtf8("\xc3"));
