@@ -28,8 +28,8 @@ int main(int count, char** arguments) {
       {"explain-code", "explain the code of a diagnostic", declareExplainCode},
       {"playground", "edit rules in a browser beside what they do", declarePlayground},
       {"lsp", "run the language server for editors", declareLsp},
-      {"completion", "print a script that completes commands in a shell", declareCompletion},
-      {"manual", "print the manual page of a verb", declareManual},
+      {"completion", "print a script that completes commands in a shell", declareCompletion, true},
+      {"manual", "print the manual page of a verb", declareManual, true},
       {"version", "print the version", declareVersion},
   };
   keepFreedMemory();

@@ -75,8 +75,13 @@ void refuseEmptyValues(const CLI::App& command) {
       throw UsageError(option->get_name() + ": its value is empty");
 }
 
-bool isVerb(std::span<const Verb> verbs, std::string_view word) {
-  return std::ranges::any_of(verbs, [&](const Verb& verb) { return word == verb.name; });
+/// The verb that a command line begins with; null: none.
+const Verb* firstVerb(std::span<const Verb> verbs, int count, char** arguments) {
+  const auto isFirst = [&](const Verb& verb) {
+    return count > 1 && std::string_view(arguments[1]) == verb.name;
+  };
+  const auto found = std::ranges::find_if(verbs, isFirst);
+  return found == verbs.end() ? nullptr : &*found;
 }
 
 std::string knownVerbs(std::span<const Verb> verbs) {
@@ -101,16 +106,19 @@ int runProgram(std::span<const Verb> verbs, int count, char** arguments) {
   program.require_subcommand(1);
   program.set_version_flag("--version", std::string("af2 ") + AF2_VERSION, "Print the version");
   std::map<const CLI::App*, Action> actions;
+  const Verb* const first = firstVerb(verbs, count, arguments);
   for (const Verb& verb : verbs) {
     CLI::App* command = program.add_subcommand(verb.name, verb.summary);
     command->group("Verbs");
-    actions[command] = verb.declare(*command);
+    // There are many options, and to declare all takes longer than to run some verbs.
+    if (!first || first == &verb || first->describesVerbs)
+      actions[command] = verb.declare(*command);
   }
   program.footer(kExitCodes);  // verbs would inherit it
 
   if (count < 2)
     return explainUsage(program, "a verb is missing; the verbs are: " + knownVerbs(verbs));
-  if (arguments[1][0] != '-' && !isVerb(verbs, arguments[1])) {
+  if (arguments[1][0] != '-' && !first) {
     return explainUsage(program, fmt::format("'{}' is not a verb of af2; the verbs are: {}",
                                              arguments[1], knownVerbs(verbs)));
   }

@@ -15,6 +15,7 @@ struct Verb {
   const char* name;
   const char* summary;  ///< for `af2 --help`
   Action (*declare)(CLI::App& command);
+  bool describesVerbs = false;  ///< it needs the options of all
 };
 
 Action declareMesh(CLI::App& command);

@@ -166,10 +166,20 @@ Cells equalCells(const std::vector<double>& breaks, double total) {
   Cells cells(intervals);
   for (std::size_t i = 0; i < intervals; ++i) {
     cells[i].step = (breaks[i + 1] - breaks[i]) / count;
+    cells[i].parameters.reserve(static_cast<std::size_t>(count) + 1);
     for (int k = 0; k < count; ++k) cells[i].parameters.push_back(breaks[i] + k * cells[i].step);
     cells[i].parameters.push_back(breaks[i + 1]);
   }
   return cells;
+}
+
+/// Room for so many samples.
+void reserve(EdgePiece& piece, std::size_t count) {
+  piece.parameters.reserve(count);
+  piece.arcLength.reserve(count);
+  piece.positions.reserve(count);
+  piece.sizes.reserve(count);
+  piece.least.reserve(count);
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,
@@ -183,7 +193,7 @@ std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const Wante
     const bool smooth =
         i > 0 &&
         distance(previousEnd, unit(pointAt(curve, low + insetOf(low, high)).tangent)) < kKink;
-    if (!smooth) pieces.push_back({});
+    if (!smooth) reserve(pieces.emplace_back(), cells[i].parameters.size());
     sampler.append(pieces.back(), cells[i], atStart, atEnd);
     previousEnd = atEnd;
   }

@@ -22,6 +22,7 @@ std::size_t knotsAlong(const EdgePiece& piece) {
 void addPiece(const EdgePiece& piece, std::size_t index, KnottedEdge& edge) {
   const std::size_t cells = piece.positions.size() - 1, count = knotsAlong(piece);
   const auto sampleAt = [&](std::size_t knot) { return knot * cells / count; };
+  if (index == 0) edge.knots.reserve(count + 1);
   for (std::size_t k = 0; k <= count; ++k) {
     const std::size_t here = sampleAt(k);
     const std::size_t before = sampleAt(k > 0 ? k - 1 : 0),

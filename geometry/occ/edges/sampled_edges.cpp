@@ -1,8 +1,18 @@
 #include "geometry/occ/edges/sampled_edges.h"
 
+#include <algorithm>
+
 #include "engine/base/parallel.h"
 
 namespace af2::geometry {
+
+namespace {
+
+bool isSame(const EdgePiece& a, const EdgePiece& b) {
+  return a.parameters == b.parameters && a.sizes == b.sizes;
+}
+
+}  // namespace
 
 SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,
                          const std::stop_token& stop) {
@@ -12,8 +22,10 @@ SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int thr
   forEachInParallel(count, threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
     const int edge = static_cast<int>(i) + 1;
-    sampled.byFaces[i] = sampleEdge(model, edge, sizes);
-    sampled.limited[i] = limitedByPosition(model, edge, sizes, sampled.byFaces[i]);
+    EdgeSamples &byFaces = sampled.byFaces[i], &limited = sampled.limited[i];
+    byFaces = sampleEdge(model, edge, sizes);
+    limited = limitedByPosition(model, edge, sizes, byFaces);
+    if (std::ranges::equal(byFaces.pieces, limited.pieces, isSame)) byFaces.pieces = {};
   });
   return sampled;
 }
@@ -28,9 +40,10 @@ std::vector<EdgeSamples> limitedSamples(const ModelShape& model, const SampledEd
   forEachInParallel(limited.size(), threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
     const EdgeSamples& known = sampled.limited[i];
-    limited[i] = isSame || isWithinLimits(less, sizes, known, areDense)
-                     ? known
-                     : limitedByPosition(model, static_cast<int>(i) + 1, sizes, sampled.byFaces[i]);
+    limited[i] =
+        isSame || isWithinLimits(less, sizes, known, areDense)
+            ? known
+            : limitedByPosition(model, static_cast<int>(i) + 1, sizes, sampled.withoutLimits(i));
   });
   return limited;
 }

@@ -14,9 +14,14 @@ namespace af2::geometry {
 /// The samples of all edges, by edge. They are made once and serve all divisions of a model by
 /// sizes that differ only in their function.
 struct SampledEdges {
-  std::vector<EdgeSamples> byFaces;  ///< sampleEdge
+  std::vector<EdgeSamples> byFaces;  ///< sampleEdge; without pieces where `limited` is the same
   std::vector<EdgeSamples> limited;  ///< the same with the limits of `function`
   PositionSize function;
+
+  /// Of an edge, with all its pieces.
+  const EdgeSamples& withoutLimits(std::size_t edge) const {
+    return byFaces[edge].pieces.empty() ? limited[edge] : byFaces[edge];
+  }
 };
 
 SampledEdges sampleEdges(const ModelShape& model, const CadSizes& sizes, int threads,

@@ -164,8 +164,11 @@ class Parser {
   /// The beginning of a list: `(` or `KEYWORD(`
   bool list() {
     if (symbol('(')) return openList(kListType);
+    const char* const begin = at_;
     const auto type = keyword();
-    return type && symbol('(') && openList(*type);
+    if (type && symbol('(')) return openList(*type);
+    at_ = begin;  // it is a value, or nothing that may be here
+    return false;
   }
 
   bool openList(std::string_view type) {
