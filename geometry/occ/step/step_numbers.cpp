@@ -17,7 +17,7 @@ class UnusableNumbers {
       const char c = text_[at_];
       if (c == '\'') {
         at_ = std::min(text_.find('\'', at_ + 1), text_.size() - 1) + 1;
-      } else if (text_.substr(at_, 2) == "/*") {
+      } else if (c == '/' && text_.substr(at_, 2) == "/*") {
         at_ = std::min(text_.find("*/", at_ + 2), text_.size() - 2) + 2;
       } else if (c == '#') {
         readLabel();
