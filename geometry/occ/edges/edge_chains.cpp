@@ -11,12 +11,12 @@ namespace {
 /// The same piece, from its other end.
 EdgePiece turnedRound(EdgePiece piece) {
   const double length = piece.arcLength.back();
-  for (double& along : piece.arcLength) along = length - along;
-  std::ranges::reverse(piece.parameters);
-  std::ranges::reverse(piece.arcLength);
-  std::ranges::reverse(piece.positions);
+  for (double& along : piece.arcLength.edit()) along = length - along;
+  std::ranges::reverse(piece.parameters.edit());
+  std::ranges::reverse(piece.arcLength.edit());
+  std::ranges::reverse(piece.positions.edit());
   std::ranges::reverse(piece.sizes);
-  std::ranges::reverse(piece.least);
+  std::ranges::reverse(piece.least.edit());
   return piece;
 }
 
@@ -24,16 +24,17 @@ EdgePiece turnedRound(EdgePiece piece) {
 void append(const EdgePiece& next, EdgePiece& piece) {
   const double start = piece.arcLength.back();
   piece.sizes.back() = std::min(piece.sizes.back(), next.sizes.front());
-  piece.least.back() = std::min(piece.least.back(), next.least.front());
+  std::vector<double>& least = piece.least.edit();
+  least.back() = std::min(least.back(), next.least.front());
   const auto add = [](const auto& from, auto& to) {
     to.insert(to.end(), from.begin() + 1, from.end());
   };
-  add(next.parameters, piece.parameters);
-  add(next.positions, piece.positions);
+  add(next.parameters, piece.parameters.edit());
+  add(next.positions, piece.positions.edit());
   add(next.sizes, piece.sizes);
-  add(next.least, piece.least);
+  add(next.least, least);
   for (std::size_t i = 1; i < next.arcLength.size(); ++i)
-    piece.arcLength.push_back(start + next.arcLength[i]);
+    piece.arcLength.edit().push_back(start + next.arcLength[i]);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ EdgeSamples chainedSamples(const ModelShape& model, const EdgeChain& chain,
     if (isReversed) std::ranges::reverse(pieces);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       EdgePiece piece = isReversed ? turnedRound(std::move(pieces[k])) : std::move(pieces[k]);
-      for (double& parameter : piece.parameters) parameter = curve.parameterOf(i, parameter);
+      for (double& parameter : piece.parameters.edit()) parameter = curve.parameterOf(i, parameter);
       if (k == 0 && !chained.pieces.empty())
         append(piece, chained.pieces.back());
       else

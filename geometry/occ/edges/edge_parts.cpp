@@ -27,12 +27,13 @@ EdgePiece cutOff(EdgePiece& piece, double parameter) {
     from.erase(from.begin(), end);
     if (!isSample) from.insert(from.begin(), between);
   };
-  move(piece.parameters, before.parameters, parameter);
-  move(piece.arcLength, before.arcLength, s);
-  move(piece.positions, before.positions, position);
+  const double least = std::min(piece.least[k - 1], piece.least[k]);
+  move(piece.parameters.edit(), before.parameters.edit(), parameter);
+  move(piece.arcLength.edit(), before.arcLength.edit(), s);
+  move(piece.positions.edit(), before.positions.edit(), position);
   move(piece.sizes, before.sizes, size);
-  move(piece.least, before.least, std::min(piece.least[k - 1], piece.least[k]));
-  for (double& length : piece.arcLength) length -= s;
+  move(piece.least.edit(), before.least.edit(), least);
+  for (double& length : piece.arcLength.edit()) length -= s;
   return before;
 }
 

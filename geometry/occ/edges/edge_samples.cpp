@@ -101,7 +101,7 @@ class IntervalSampler {
     const double low = parameters.front(), high = parameters.back();
     CurvePoint before = pointAt(curve_, low + insetOf(low, high));
     atStart = unit(before.tangent);
-    if (piece.parameters.empty()) addPoint(piece, low, 0, before.position);
+    if (piece.parameters.size() == 0) addPoint(piece, low, 0, before.position);
     for (std::size_t i = 1; i < parameters.size(); ++i) {
       const bool isLast = i + 1 == parameters.size();
       const double parameter = parameters[i];
@@ -117,12 +117,12 @@ class IntervalSampler {
 
  private:
   void addPoint(EdgePiece& piece, double parameter, double arcLength, const Point3& position) {
-    piece.parameters.push_back(parameter);
-    piece.arcLength.push_back(arcLength);
-    piece.positions.push_back(position);
+    piece.parameters.edit().push_back(parameter);
+    piece.arcLength.edit().push_back(arcLength);
+    piece.positions.edit().push_back(position);
     const WantedAlongEdge::Size size = wanted_.at(position, parameter);
     piece.sizes.push_back(size.wanted);
-    piece.least.push_back(size.least);
+    piece.least.edit().push_back(size.least);
   }
 
   /// The last cell turns by `turn` within `ds`.
@@ -175,11 +175,11 @@ Cells equalCells(const std::vector<double>& breaks, double total) {
 
 /// Room for so many samples.
 void reserve(EdgePiece& piece, std::size_t count) {
-  piece.parameters.reserve(count);
-  piece.arcLength.reserve(count);
-  piece.positions.reserve(count);
+  piece.parameters.edit().reserve(count);
+  piece.arcLength.edit().reserve(count);
+  piece.positions.edit().reserve(count);
   piece.sizes.reserve(count);
-  piece.least.reserve(count);
+  piece.least.edit().reserve(count);
 }
 
 std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const WantedAlongEdge& wanted,

@@ -5,18 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "geometry/base/shared_array.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
 
 namespace af2::geometry {
 
 /// A smooth piece of an edge, sampled finely compared with the sizes wanted on it.
+/// Pieces are copied for each division of a model, which only changes their sizes.
 struct EdgePiece {
-  std::vector<double> parameters;
-  std::vector<double> arcLength;  ///< from the start of the piece
-  std::vector<Point3> positions;
+  SharedArray<double> parameters;
+  SharedArray<double> arcLength;  ///< from the start of the piece
+  SharedArray<Point3> positions;
   std::vector<double> sizes;
-  std::vector<double> least;  ///< lower bounds of the sizes
+  SharedArray<double> least;  ///< lower bounds of the sizes
 };
 
 struct EdgeSamples {

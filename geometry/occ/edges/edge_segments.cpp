@@ -51,7 +51,7 @@ void dropSegment(std::vector<SharedPiece>& pieces) {
 void place(const EdgePiece& piece, const std::vector<double>& count, std::size_t segments,
            std::vector<double>& parameters) {
   for (const CurvePlace& at : equalShares(count, segments))
-    parameters.push_back(at.between(piece.parameters));
+    parameters.push_back(at.between<double>(piece.parameters));
   parameters.push_back(piece.parameters.back());
 }
 

@@ -141,11 +141,11 @@ TEST(TipFans, LeavePartsThatAreTooShortForThem) {
   part.ends = {3, 4};
   EdgePiece piece;
   for (int i = 0; i <= 10; ++i) {
-    piece.parameters.push_back(i * 0.1);
-    piece.arcLength.push_back(i * 0.1);
-    piece.positions.push_back({i * 0.1, 0, 0});
+    piece.parameters.edit().push_back(i * 0.1);
+    piece.arcLength.edit().push_back(i * 0.1);
+    piece.positions.edit().push_back({i * 0.1, 0, 0});
     piece.sizes.push_back(0.25);
-    piece.least.push_back(0);
+    piece.least.edit().push_back(0);
   }
   part.samples.pieces.push_back(piece);
   part.samples.length = 1;
