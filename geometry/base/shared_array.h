@@ -1,9 +1,9 @@
 // Arrays that copies share. Not installed.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace af2::geometry {
@@ -27,6 +27,8 @@ class SharedArray {
   /// To be changed; what the copies have stays as it is. A reference from before may be to theirs.
   std::vector<T>& edit() {
     if (data_.use_count() > 1) data_ = std::make_shared<std::vector<T>>(*data_);
+    // What another thread read from a copy that it has just given up comes before what is written.
+    std::atomic_thread_fence(std::memory_order_acquire);
     return *data_;
   }
 
