@@ -23,9 +23,7 @@ std::string contentOf(const std::filesystem::path& path) {
     throw InputError(path.string() + ": is a folder, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path.string() + ": cannot be opened; check that it exists");
-  constexpr std::uintmax_t kMostExpected = 1 << 30;  // a file may claim to be of any size
-  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-  return restOf(stream, kAllBytes, ignored ? 0 : std::min(size, kMostExpected));
+  return restOf(stream);
 }
 
 std::vector<std::string_view> wordsIn(std::string_view text, std::string_view blanks) {

@@ -14,6 +14,7 @@
 #include "engine/base/place_text.h"
 #include "geometry/edges/curve_division.h"
 #include "geometry/occ/base/points.h"
+#include "geometry/occ/edges/edge_cells.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/sizes/wanted_along_edge.h"
 
@@ -23,7 +24,6 @@ namespace {
 
 /// Samples per wanted segment: position errors are then a few thousandths of a segment.
 constexpr double kSamplesPerSegment = 10;
-constexpr int kMinSamples = 16;
 constexpr double kMaxSamples = 2e6;
 constexpr const char* kNoNumbers = "has a curve with values that are not numbers";
 
@@ -74,13 +74,6 @@ double roughLength(const BRepAdaptor_Curve& curve) {
   }
   return sum;
 }
-
-/// The cells of an interval in which a curve is smooth.
-struct IntervalCells {
-  std::vector<double> parameters;  ///< of their ends
-  double step = 0;                 ///< of the parameter, if it is the same for all
-};
-using Cells = std::vector<IntervalCells>;
 
 /// At the ends of an interval the derivative may be that of the neighbour: it is taken just inside.
 double insetOf(double low, double high) { return 1e-7 * (high - low); }
@@ -152,27 +145,6 @@ void limitByPosition(std::vector<EdgePiece>& pieces, const CadSizes& sizes) {
   for (EdgePiece& piece : pieces) limitByPosition(piece, sizes.function, sizes, piece.sizes);
 }
 
-double countOf(const Cells& cells) {
-  double count = 0;
-  for (const IntervalCells& interval : cells)
-    count += static_cast<double>(interval.parameters.size());
-  return count;
-}
-
-/// About `total` cells, of equal lengths within an interval.
-Cells equalCells(const std::vector<double>& breaks, double total) {
-  const std::size_t intervals = breaks.size() - 1;
-  const int count = std::max(kMinSamples, static_cast<int>(total / static_cast<double>(intervals)));
-  Cells cells(intervals);
-  for (std::size_t i = 0; i < intervals; ++i) {
-    cells[i].step = (breaks[i + 1] - breaks[i]) / count;
-    cells[i].parameters.reserve(static_cast<std::size_t>(count) + 1);
-    for (int k = 0; k < count; ++k) cells[i].parameters.push_back(breaks[i] + k * cells[i].step);
-    cells[i].parameters.push_back(breaks[i + 1]);
-  }
-  return cells;
-}
-
 /// Room for so many samples.
 void reserve(EdgePiece& piece, std::size_t count) {
   piece.parameters.edit().reserve(count);
@@ -198,50 +170,6 @@ std::vector<EdgePiece> sampleInCells(const BRepAdaptor_Curve& curve, const Wante
     previousEnd = atEnd;
   }
   return pieces;
-}
-
-/// How many times too long a cell is, which ends at sample i. Sizes that were asked for may be far
-/// below the largest, and small in a few places only: samples are to be dense there as well.
-double coarsenessAt(const EdgePiece& piece, std::size_t i) {
-  constexpr double kMaxOfCell = 0.25;  // length of a cell
-  return (piece.arcLength[i] - piece.arcLength[i - 1]) / piece.sizes[i] / kMaxOfCell;
-}
-
-double coarseness(const std::vector<EdgePiece>& pieces) {
-  double worst = 0;
-  for (const EdgePiece& piece : pieces)
-    for (std::size_t i = 1; i < piece.sizes.size(); ++i)
-      worst = std::max(worst, coarsenessAt(piece, i));
-  return worst;
-}
-
-/// Into how many cells one is to be divided.
-double partsFor(double coarseness) {
-  constexpr double kMargin = 1.25, kMaxAtOnce = 16;
-  return std::min(kMargin * coarseness, kMaxAtOnce);
-}
-
-/// Divides the cells that are too long for the sizes at their samples.
-Cells finer(const Cells& cells, const std::vector<EdgePiece>& pieces) {
-  Cells result;
-  std::size_t piece = 0, sample = 0;
-  for (const IntervalCells& divided : cells) {
-    const std::vector<double>& interval = divided.parameters;
-    std::vector<double>& parameters = result.emplace_back().parameters;
-    parameters.push_back(interval.front());
-    if (sample + 1 == pieces[piece].parameters.size()) {
-      ++piece;
-      sample = 0;
-    }
-    for (std::size_t i = 1; i < interval.size(); ++i) {
-      const double coarseness = coarsenessAt(pieces[piece], ++sample);
-      const double parts = coarseness > 1 ? std::ceil(partsFor(coarseness)) : 1;
-      for (double k = 1; k < parts; ++k)
-        parameters.push_back(interval[i - 1] + k / parts * (interval[i] - interval[i - 1]));
-      parameters.push_back(interval[i]);
-    }
-  }
-  return result;
 }
 
 /// The parameter at which an edge begins, as seen from one of its ends. A curve may end next to its
@@ -333,7 +261,7 @@ void resample(const ModelShape& model, int edge, const CadSizes& sizes, EdgeSamp
   double total = sampler.fewest();
   Cells cells = sampler.equalCells(total);
   for (int round = 0; round < kMaxRounds && tooCoarse > 1; ++round) {
-    total = partsFor(tooCoarse) * std::max(total, double(kMinSamples));
+    total = partsFor(tooCoarse) * std::max(total, double(kMinCells));
     cells = total < kMaxEqual ? sampler.equalCells(total) : finer(cells, samples.pieces);
     if (countOf(cells) > kMaxSamples) return;
     samples.pieces = sampler.pieces(cells);

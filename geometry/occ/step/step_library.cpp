@@ -4,6 +4,7 @@
 #include <StepData_StepModel.hxx>
 #include <StepData_StepReaderData.hxx>
 #include <StepData_StepReaderTool.hxx>
+#include <array>
 #include <limits>
 #include <sstream>
 
@@ -13,27 +14,10 @@ namespace af2::geometry {
 
 namespace {
 
-Interface_ParamType typeOf(StepKind kind) {
-  switch (kind) {
-    case StepKind::List:
-      return Interface_ParamSub;
-    case StepKind::Label:
-      return Interface_ParamIdent;
-    case StepKind::Integer:
-      return Interface_ParamInteger;
-    case StepKind::Real:
-      return Interface_ParamReal;
-    case StepKind::Enumeration:
-      return Interface_ParamEnum;
-    case StepKind::Text:
-      return Interface_ParamText;
-    case StepKind::Omitted:
-      return Interface_ParamVoid;
-    case StepKind::Derived:
-      break;
-  }
-  return Interface_ParamMisc;
-}
+/// In the order of StepKind.
+constexpr std::array kTypes{Interface_ParamSub,  Interface_ParamIdent, Interface_ParamInteger,
+                            Interface_ParamReal, Interface_ParamEnum,  Interface_ParamText,
+                            Interface_ParamVoid, Interface_ParamMisc};
 
 /// It refers to the words of the records.
 Handle(StepData_StepReaderData) dataOf(StepRecords& records, Resource_FormatType codePage) {
@@ -45,7 +29,7 @@ Handle(StepData_StepReaderData) dataOf(StepRecords& records, Resource_FormatType
     data->SetRecord(++number, record.label.data(), record.type.data(),
                     static_cast<int>(record.values.size()));
     for (const StepValue& value : record.values)
-      data->AddStepParam(number, value.word.data(), typeOf(value.kind));
+      data->AddStepParam(number, value.word.data(), kTypes[static_cast<std::size_t>(value.kind)]);
     data->InitParams(number);
   });
   return data;

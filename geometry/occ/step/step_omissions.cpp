@@ -72,6 +72,8 @@ bool mayNeedMending(std::string_view text) {
 }  // namespace
 
 void mendStepText(std::string& text) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   if (!mayNeedMending(text)) return;
   std::string mended;
   std::size_t copied = 0;

@@ -97,10 +97,7 @@ class Parser {
   /// `#12 = PART(...);` or `#12 = (PART(...) PART(...));`
   bool entity() {
     const auto own = label();
-    if (!own) return false;
-    while (*at_ == ' ' || *at_ == '\t') ++at_;  // OpenCASCADE's parser wants both in one line
-    if (*at_ != '=') return false;
-    ++at_;
+    if (!own || !symbol('=')) return false;  // OpenCASCADE's parser wants both in one line
     if (!symbol('(')) return part(*own) && symbol(';');
     if (!part(*own)) return false;
     while (!symbol(')'))

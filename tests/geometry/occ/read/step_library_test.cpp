@@ -89,6 +89,15 @@ TEST(StepLibrary, ReadsFaultsAsOpenCascadeDoes) {
   contentReadOf("ISO-10303-21;");
 }
 
+/// Both of which OpenCASCADE refuses.
+TEST(StepLibrary, ReadsByteOrderMarksAndLabelsInLinesOfTheirOwn) {
+  for (const std::string& text : {"\xef\xbb\xbf" + kText, replaced(kText, "#1 =", "#1\n=")}) {
+    ASSERT_NE(text, kText);
+    const testing::TestFile file("cylinder.step", text);
+    EXPECT_EQ(readModel(file.path()).faceCount(), 3);
+  }
+}
+
 TEST(StepLibrary, ReadsWordsOfAnyLength) {
   const std::string name(100'000, 'n');
   const testing::TestFile file("cylinder.step",

@@ -74,6 +74,7 @@ TEST(StepRecords, TellWhatValuesAre) {
 TEST(StepRecords, SkipBlanksAndComments) {
   EXPECT_EQ(recordsOf("/* #3=C(); **/#1\t= A /*'*/(\r\n 1 /***/, 'a/*b' );#2=B();"),
             (Lines{"#1 A 1 'a/*b'", "#2 B"}));
+  EXPECT_EQ(recordsOf("#1\n=\nA(\n);"), (Lines{"#1 A"}));
 }
 
 TEST(StepRecords, HaveTextsUpToAQuoteBeforeACommaOrABracket) {
@@ -97,7 +98,6 @@ TEST(StepRecords, AreNotMadeOfWhatIsNotPlain) {
                                  "#1=A(1 2);",
                                  "#1=A(1;",
                                  "#1=A);",
-                                 "#1\n=A();",
                                  "#=A();",
                                  "1=A();",
                                  "#1=();",
