@@ -56,6 +56,7 @@ Json toJson(const FaceReport& face, const std::vector<std::string>& ruleNames) {
   json["status"] = toString(face.status);
   if (!face.chart.empty()) json["chart"] = face.chart;
   json["elements"] = face.elements;
+  if (face.congruentTo > 0) json["congruent_to"] = face.congruentTo;
   json["area"] = face.area;
   json["seconds"] = face.seconds;
   json["reason"] = face.reason;

@@ -82,6 +82,8 @@ struct FaceReport {
   Point3 firstTriangle = {};  ///< the middle of one of them, if there are any
   /// The largest distance that was found between its elements and its surface; none: not measured.
   std::optional<double> deviation = {};
+  /// The id of a congruent face, whose mesh it has, moved; 0: its mesh was made on it.
+  int congruentTo = 0;
 };
 
 enum class GroupKind {

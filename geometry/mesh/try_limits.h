@@ -20,6 +20,13 @@ struct TryLimits {
   bool failedBefore = false;
   /// The sizes are those of the user, without the requests of remedies.
   bool hasOriginalSizes = true;
+
+  /// Whether a try with other limits and the same sizes that has examined so many candidates would
+  /// have come to the same end within these.
+  bool allow(const TryLimits& other, std::size_t candidates) const {
+    return candidates <= maxCandidates && ignoresNormals == other.ignoresNormals &&
+           refusesReflex == other.refusesReflex && failedBefore == other.failedBefore;
+  }
 };
 
 /// One try at a face.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/run/algorithm.h"
+#include "geometry/congruence/face_outline.h"
 #include "geometry/deviation/face_distance.h"
 #include "geometry/edges/divided_edges.h"
 #include "geometry/edges/even_loops.h"
@@ -15,6 +17,12 @@
 #include "geometry/retry/retries.h"
 
 namespace af2::geometry {
+
+/// Without an observer or a crew.
+inline FillOptions fillOptionsOf(const MeshingOptions& options) {
+  return {options.chart, options.optimize, options.quads, options.strictRules, options.stop, {},
+          nullptr};
+}
 
 /// The input of one try at a face within its divided edges.
 struct FillRequest {
@@ -84,6 +92,11 @@ class FaceSource {
   ///
   /// Throws an exception if the face cannot be meshed; its message goes to the report.
   virtual void fill(int face, const FillRequest& request, FaceMesh& mesh) const = 0;
+  /// Whether `outlineOf` may give anything.
+  virtual bool hasOutlines() const { return false; }
+  /// What `fill` would fill, to be compared with other faces. None if the mesh of the face cannot
+  /// be that of another one.
+  virtual std::optional<FaceOutline> outlineOf(int, const FillRequest&) const { return {}; }
 
   /// Edges of a face, near some places, that may be collapsed to points: alternatives, in the order
   /// in which to try them.

@@ -63,6 +63,7 @@ class FaceReport:
     triangles: int
     first_triangle: Place
     deviation: Optional[float]
+    congruent_to: int
 
 
 class FaceGroup:

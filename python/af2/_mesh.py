@@ -227,7 +227,8 @@ class Mesh:
         """How the meshing of each face went, by id: `id`, `name`, `surface`, `chart`, `status` ("complete", "failed",
         "cancelled", "skipped"), `elements`, `seconds`, `area`, `reason`, `cause` ("model": no sizes help; "size": it is
         far too large; "": not known), `attempts`, `stuck` (where fronts are: `start`, `end`, `uv`, `level`,
-        `refusals`), `without_rule`, `acts`, `layers`, `layer_elements`, `odd_loops`, `triangles`, `deviation`."""
+        `refusals`), `without_rule`, `acts`, `layers`, `layer_elements`, `odd_loops`, `triangles`, `deviation`,
+        `congruent_to` (the id of a congruent face, whose mesh it has, moved; or 0)."""
         return self._report.faces
 
     @property

@@ -88,6 +88,7 @@ void bindFaces(py::module_& module) {
       .def_readonly("triangles", &FaceReport::triangles)
       .def_property_readonly("first_triangle", place(&FaceReport::firstTriangle))
       .def_readonly("deviation", &FaceReport::deviation)
+      .def_readonly("congruent_to", &FaceReport::congruentTo)
       .def("__repr__", [](const FaceReport& f) {
         return "<face " + std::to_string(f.id) + (f.name.empty() ? "" : " '" + f.name + "'") +
                " (" + f.surfaceType + "): " + toString(f.status) + ", " +

@@ -26,10 +26,10 @@ void pass(auto& archive, mpi::Is<StuckPlace> auto& place) {
 void pass(auto& archive, mpi::Is<FaceReport> auto& report) {
   auto& [id, name, surfaceType, chart, status, elements, seconds, area, reason, cause, attempts,
          stuck, withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle,
-         deviation] = report;
+         deviation, congruentTo] = report;
   archive(id, name, surfaceType, chart, status, elements, seconds, area, reason, cause, attempts,
           stuck, withoutRule, acts, layers, layerElements, oddLoops, triangles, firstTriangle,
-          deviation);
+          deviation, congruentTo);
 }
 
 void pass(auto& archive, mpi::Is<FillFault> auto& fault) {

@@ -5,8 +5,11 @@
 #include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +34,7 @@
 #include "geometry/occ/faces/surface_faults.h"
 #include "geometry/occ/sizes/face_size.h"
 #include "geometry/occ/sizes/sizing.h"
+#include "geometry/occ/surfaces/surface_distance.h"
 #include "geometry/sizes/graded_size.h"
 
 namespace af2::geometry {
@@ -114,11 +118,66 @@ class FaceMesher {
       return;
     }
     if (meshInCells(mesh)) return;
-    fill(findBoundary(context_.model, face_, context_.request.divided, surface_, context_.onFaces),
-         mesh);
+    fill(wholeBoundary(), mesh);
+  }
+
+  std::optional<FaceOutline> outline() {
+    if (liesOnAnother() || hasNoArea() || context_.layers || context_.model.cells.contains(face_) ||
+        context_.request.limits.ignoresNormals)
+      return std::nullopt;
+    FaceBoundary boundary = wholeBoundary();
+    leaveOutFans(surface_, fanElementsFor(context_.request.options.quads), boundary);
+    if (!isPlain(boundary)) return std::nullopt;
+    const CadSizes& sizes = context_.sizes;
+    FaceOutline outline;
+    outline.numbers = {wantedOnFace(sizes, face_), chordOnFace(sizes, face_),
+                       sizes.roughFaces.contains(face_) + 0., boundary.closedInParameters + 0.,
+                       boundary.canBeCut + 0.};
+    if (surface_.isGeneral())
+      outline.samples = samples();
+    else
+      outline.distance = distanceFrom(boundary.input.loops.front().front().point);
+    addHistory(boundary, outline.history);
+    outline.form = formOf(std::move(boundary.input));
+    outline.points = std::move(boundary.points);
+    outline.uses = std::move(boundary.uses);
+    outline.sizes = sizes.function;
+    return outline;
   }
 
  private:
+  bool liesOnAnother() const {
+    return std::ranges::find(context_.onFaces, face_, &FaceOnFace::face) != context_.onFaces.end();
+  }
+
+  FaceBoundary wholeBoundary() const {
+    return findBoundary(context_.model, face_, context_.request.divided, surface_,
+                        context_.onFaces);
+  }
+
+  /// Of the part of the parameters that the face takes up.
+  std::vector<Point3> samples() const {
+    constexpr int kSteps = 16;
+    const SplineSurface::Box& box = surface_.box();
+    std::vector<Point3> places;
+    for (int i = 0; i <= kSteps; ++i)
+      for (int j = 0; j <= kSteps; ++j) {
+        const double u = box.u1 + (box.u2 - box.u1) * i / kSteps;
+        const double v = box.v1 + (box.v2 - box.v1) * j / kSteps;
+        places.push_back(surface_.inOccParameters().frameAt(u, v).position);
+      }
+    return places;
+  }
+
+  /// place  of the boundary
+  std::function<double(const Point3&)> distanceFrom(const SurfacePoint& place) const {
+    if (surface_.isPlane())
+      return [place](const Point3& p) { return std::abs(dot(p - place.position, place.normal)); };
+    return
+        [distance = std::shared_ptr<FaceDistance>(distanceFromSurface(
+             context_.model.face(face_), surface_))](const Point3& p) { return distance->of(p); };
+  }
+
   bool hasNoArea() const {
     constexpr double kAlmostNone = 1e-6;  // of the square of the size
     const double size = context_.sizes.size;
@@ -152,11 +211,15 @@ class FaceMesher {
     }
   }
 
+  void addHistory(const FaceBoundary& boundary, FaceHistory& history) const {
+    addNotes(boundary.repairs, history);
+    addNotes(boundary.notes, history);
+    noteCollapsed(boundary.pointEdges, history);
+  }
+
   void fill(FaceBoundary boundary, FaceMesh& mesh) {
     leaveOutFans(surface_, fanElementsFor(context_.request.options.quads), boundary);
-    addNotes(boundary.repairs, mesh.history);
-    addNotes(boundary.notes, mesh.history);
-    noteCollapsed(boundary.pointEdges, mesh.history);
+    addHistory(boundary, mesh.history);
     double closed = 0;  // area between edges that are one
     for (const FaceBoundary::TouchingEdges& edges : boundary.touching) {
       mesh.history.push_back(note(textOfTouching(edges)));
@@ -311,6 +374,15 @@ void meshFace(const FaceMeshingContext& context, int face, double area, double e
   } catch (const Standard_Failure& failure) {
     throw GeometryError(std::string("OpenCASCADE: ") + failure.DynamicType()->Name());
   }
+}
+
+std::optional<FaceOutline> outlineOf(const FaceMeshingContext& context, int face, double area) {
+  try {
+    return FaceMesher(context, face, area, 1).outline();
+  } catch (const GeometryError&) {  // reported when the face is meshed
+  } catch (const Standard_Failure&) {
+  }
+  return std::nullopt;
 }
 
 }  // namespace af2::geometry

@@ -2,8 +2,10 @@
 // Not installed: includers need OpenCASCADE's headers.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/congruence/face_outline.h"
 #include "geometry/layers/layer_heights.h"
 #include "geometry/mesh/face_mesh.h"
 #include "geometry/meshing/face_source.h"
@@ -26,5 +28,8 @@ struct FaceMeshingContext {
 /// Throws GeometryError if the face is faulty.
 void meshFace(const FaceMeshingContext& context, int face, double area, double expectedElements,
               FaceMesh& mesh);
+
+/// See FaceSource::outlineOf.
+std::optional<FaceOutline> outlineOf(const FaceMeshingContext& context, int face, double area);
 
 }  // namespace af2::geometry

@@ -26,6 +26,9 @@ class MergedFaces final : public CadFaces {
   std::unique_ptr<FaceDistance> distanceFrom(int face) const override;
   std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override;
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override;
+  std::optional<FaceOutline> outlineOf(int face, const FillRequest& request) const override {
+    return quiltWith(face) ? std::nullopt : CadFaces::outlineOf(face, request);
+  }
   std::vector<CollapsedEdges> shortEdges(int face, const DividedEdges& divided,
                                          const std::vector<SizeSource>& places) const override;
   std::vector<SizeSource> sizesInside(int face) const override;

@@ -142,12 +142,24 @@ std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided
   return countedLoops(*shape_, face, divided, onFaces_, fanElementsFor(options_->quads));
 }
 
-void CadFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) const {
-  const auto fillBy = [&](const CadSizes& sizes) {
-    meshFace({*shape_, sizes, onFaces_, isFineInside_, request, layersOn(face)}, face,
-             areas_[indexOf(face)], work_[indexOf(face)], mesh);
+template <class Use>
+auto CadFaces::withContext(int face, const FillRequest& request, const Use& use) const {
+  const auto useWith = [&](const CadSizes& sizes) {
+    return use({*shape_, sizes, onFaces_, isFineInside_, request, layersOn(face)});
   };
-  request.limits.hasOriginalSizes ? fillBy(sizes_) : fillBy(withFunction(request.sizes));
+  return request.limits.hasOriginalSizes ? useWith(sizes_) : useWith(withFunction(request.sizes));
+}
+
+void CadFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) const {
+  withContext(face, request, [&](const FaceMeshingContext& context) {
+    meshFace(context, face, areas_[indexOf(face)], work_[indexOf(face)], mesh);
+  });
+}
+
+std::optional<FaceOutline> CadFaces::outlineOf(int face, const FillRequest& request) const {
+  return withContext(face, request, [&](const FaceMeshingContext& context) {
+    return geometry::outlineOf(context, face, areas_[indexOf(face)]);
+  });
 }
 
 std::vector<CollapsedEdges> CadFaces::shortEdges(int face, const DividedEdges& divided,

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,8 @@ class CadFaces : public FaceSource {
                       const SegmentChanges& changes) const override;
   std::vector<CountedLoop> loopsOf(int face, const DividedEdges& divided) const override;
   void fill(int face, const FillRequest& request, FaceMesh& mesh) const override;
+  bool hasOutlines() const override { return true; }
+  std::optional<FaceOutline> outlineOf(int face, const FillRequest& request) const override;
   std::vector<CollapsedEdges> shortEdges(int face, const DividedEdges& divided,
                                          const std::vector<SizeSource>& places) const override;
   /// With elements for turns, these sizes are spread already.
@@ -81,6 +84,8 @@ class CadFaces : public FaceSource {
   void expectByFace();
   void expectMoreOn(const std::vector<int>& uneven);
   void expectByPosition();
+  template <class Use>
+  auto withContext(int face, const FillRequest& request, const Use& use) const;
   template <class Work>
   void forEachFace(const Work& work) const;
 
