@@ -82,7 +82,7 @@ struct FaceReport {
   Point3 firstTriangle = {};  ///< the middle of one of them, if there are any
   /// The largest distance that was found between its elements and its surface; none: not measured.
   std::optional<double> deviation = {};
-  /// The id of a congruent face, whose mesh it has, moved; 0: its mesh was made on it.
+  /// The id of a congruent face, whose mesh it has, moved; 0: there is none, or none any more.
   int congruentTo = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "geometry/meshing/congruent_faces.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "engine/base/stopwatch.h"
@@ -76,6 +77,18 @@ std::optional<FaceOutline> CongruentFaces::outlineOf(const FaceTry& at, const Po
   const ProgressCallback none;
   return source_.outlineOf(
       faces_[at.face], {sizes, at.limits, divided, algorithm_, fill, options_.order == 2, none});
+}
+
+void forgetFormerMeshes(std::vector<FaceMesh>& meshes) {
+  std::map<int, const FaceMesh*> byId;
+  for (const FaceMesh& mesh : meshes) byId[mesh.report.id] = &mesh;
+  for (FaceMesh& mesh : meshes) {
+    if (mesh.report.congruentTo == 0) continue;
+    const FaceMesh& from = *byId.at(mesh.report.congruentTo);
+    const bool isSame = from.report.congruentTo == 0 && from.searchCost == mesh.searchCost &&
+                        elementCount(from) == elementCount(mesh);
+    if (!isSame) mesh.report.congruentTo = 0;
+  }
 }
 
 }  // namespace af2::geometry

@@ -55,4 +55,7 @@ class CongruentFaces {
   const std::vector<int>& faces_;
 };
 
+/// Faces do not refer any more to congruent ones that have been meshed again since.
+void forgetFormerMeshes(std::vector<FaceMesh>& meshes);
+
 }  // namespace af2::geometry

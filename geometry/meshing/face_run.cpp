@@ -140,6 +140,7 @@ class FaceRun final : public RetriedModel {
         return source_.pointOnEdge(edge, parameter);
       };
     join.spool = spool_;
+    forgetFormerMeshes(state.meshes);
     for (FaceMesh& mesh : state.meshes) putAway(mesh, state.divided);  // what remedies have changed
     state.joined = joinFaces(state.divided, state.meshes, join);
     const bool mayCross = source_.mayCross() && !options_.stop.stop_requested();
