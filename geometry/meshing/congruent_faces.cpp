@@ -8,6 +8,12 @@
 #include "geometry/congruence/moved_mesh.h"
 
 namespace af2::geometry {
+namespace {
+
+/// The others of a group are compared with each of these.
+constexpr std::size_t kMostMeshed = 4;
+
+}  // namespace
 
 std::vector<TryGroup> CongruentFaces::groupsOf(std::span<const FaceTry> tries,
                                                std::span<const std::size_t> meshed,
@@ -27,7 +33,7 @@ std::vector<TryGroup> CongruentFaces::groupsOf(std::span<const FaceTry> tries,
     for (const std::size_t k : similar) {
       if (k < tries.size())
         group.tries.push_back(tries[k]);
-      else
+      else if (group.meshed.size() < kMostMeshed)
         group.meshed.push_back(meshed[k - tries.size()]);
     }
   }

@@ -15,7 +15,7 @@ namespace af2::geometry {
 /// Tries at faces that may be congruent.
 struct TryGroup {
   std::vector<FaceTry> tries;
-  std::vector<std::size_t> meshed;  ///< faces that have meshes already, and may be congruent, too
+  std::vector<std::size_t> meshed;  ///< a few faces with meshes that may be congruent, too
 };
 /// Takes the mesh of the face of a try.
 using TakeMovedMesh = std::function<void(const FaceTry& at, FaceMesh)>;

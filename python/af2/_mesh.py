@@ -226,9 +226,8 @@ class Mesh:
     def faces(self) -> List[Any]:
         """How the meshing of each face went, by id: `id`, `name`, `surface`, `chart`, `status` ("complete", "failed",
         "cancelled", "skipped"), `elements`, `seconds`, `area`, `reason`, `cause` ("model": no sizes help; "size": it is
-        far too large; "": not known), `attempts`, `stuck` (where fronts are: `start`, `end`, `uv`, `level`,
-        `refusals`), `without_rule`, `acts`, `layers`, `layer_elements`, `odd_loops`, `triangles`, `deviation`,
-        `congruent_to` (the id of a congruent face, whose mesh it has, moved; or 0)."""
+        far too large; "": not known), `attempts`, `stuck` (fronts: `start`, `end`, `uv`, `level`, `refusals`), `acts`,
+        `without_rule`, `layers`, `layer_elements`, `odd_loops`, `triangles`, `deviation`, `congruent_to` (id or 0)."""
         return self._report.faces
 
     @property
