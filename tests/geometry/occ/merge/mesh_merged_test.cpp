@@ -108,6 +108,20 @@ TEST(MeshMerged, CrossesEdgesWithinPlanes) {
   EXPECT_NEAR(testing::volumeOf(mesh), 120, 1e-9);
 }
 
+TEST(MeshMerged, TakesNoMeshOfCongruentFacesOverWithinAPlane) {
+  const ModelMesh mesh = merged(boxes({0, 3, 6, 9}, {3, 3, 3}), 0.9);
+  std::vector<int> together;
+  for (const MergedGroup& group : mesh.merging->groups)
+    together.insert(together.end(), group.faces.begin(), group.faces.end());
+  EXPECT_GE(together.size(), 12u);
+  for (const FaceReport& face : mesh.faces)
+    if (std::ranges::find(together, face.id) != together.end()) {
+      EXPECT_EQ(face.congruentTo, 0) << face.id;
+    }
+  EXPECT_NEAR(testing::areaOf(mesh), 2 * (9 * 6 + 9 * 3 + 6 * 3), 1e-9);
+  EXPECT_NEAR(testing::volumeOf(mesh), 9 * 6 * 3, 1e-9);
+}
+
 TEST(MeshMerged, LeavesOutSliversAndTinyEdges) {
   const Model model = boxes({0, 5, 5.01, 10}, {2, 2, 2});
   const ModelMesh plain = testing::mesh(model, 1);
