@@ -101,16 +101,27 @@ inline double cornerDistortion(const Point3& corner, const Point3& ahead, const 
   return (squares + dot(r, r)) / (kTwoRootThree * twiceArea);
 }
 
-/// Whether the distortion of a triangle is below a limit, by a margin far larger than any rounding
-/// error, whatever way it faces. Needs neither a root nor a division. False means: not certain.
+/// What the squared sum of the squared sides of a triangle, over the square of twice its area, is
+/// below if its distortion is below a limit, by a margin far larger than any rounding error.
+constexpr double plainLimit(double limit) {
+  constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
+  return kCertain * kTwelve * limit * limit;
+}
+
+/// The sum of the squared sides of a triangle, two of which are p and q.
+inline double squaresOf(const Point3& p, const Point3& q) {
+  const Point3 r = q - p;
+  return dot(p, p) + dot(q, q) + dot(r, r);
+}
+
+/// Whether the distortion of a triangle is certainly below a limit, whatever way it faces. Needs
+/// neither a root nor a division. False means: not certain.
 ///
 /// p, q    two of its sides, from the same corner
 /// turned  cross(p, q)
 inline bool isPlainlyBelow(double limit, const Point3& p, const Point3& q, const Point3& turned) {
-  constexpr double kCertain = 1 - 1e-9, kTwelve = 12;  // (2 sqrt(3))^2
-  const Point3 r = q - p;
-  const double squares = dot(p, p) + dot(q, q) + dot(r, r);
-  return squares * squares < kCertain * limit * limit * kTwelve * dot(turned, turned);
+  const double squares = squaresOf(p, q);
+  return squares * squares < plainLimit(limit) * dot(turned, turned);
 }
 
 /// The same, and whether it faces the way the surface does.

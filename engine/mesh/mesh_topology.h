@@ -58,6 +58,16 @@ class MeshTopology {
     }
   }
 
+  /// Calls visit(VertexId) for the other end of each side at the vertex.
+  void forEachNeighborOf(VertexId v, auto&& visit) const {
+    Corner last;
+    forEachCornerOf(v, [&](Corner c) {
+      visit(vertexAt(next(c)));
+      last = c;
+    });
+    if (!last.isNone() && aroundVertex(last).isNone()) visit(vertexAt(previous(last)));
+  }
+
   /// Number of elements at a vertex, at most 255.
   int valence(VertexId v) const { return valence_[v.value]; }
   bool isFixed(VertexId v) const { return v.value < fixedCount_; }

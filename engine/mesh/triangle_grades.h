@@ -25,12 +25,15 @@ inline TriangleGrade gradeOf(MeshTopology& topology, std::size_t e) {
   if (!element.isQuad()) {
     const Point3 p = at(1).position - at(0).position, q = at(2).position - at(0).position;
     const Point3 turned = cross(p, q);
-    const bool isAsTheSurface = facesNormal(turned, at(0).normal) &&
-                                facesNormal(turned, at(1).normal) &&
-                                facesNormal(turned, at(2).normal);
-    if (isAsTheSurface && isPlainlyBelow(kGoodTriangle, p, q, turned))
+    const double squared = dot(turned, turned);
+    const auto faces = [&](const Point3& normal) {
+      return leansLittle(turned, squared, normal) || normal == Point3{};
+    };
+    const double squares = squaresOf(p, q), shape = squares * squares;
+    if (shape < plainLimit(kGoodTriangle) * squared && faces(at(0).normal) && faces(at(1).normal) &&
+        faces(at(2).normal))
       grade =
-          isPlainlyBelow(kEvenTriangle, p, q, turned) ? TriangleGrade::Even : TriangleGrade::Good;
+          shape < plainLimit(kEvenTriangle) * squared ? TriangleGrade::Even : TriangleGrade::Good;
   }
   topology.setGrade(e, static_cast<std::uint8_t>(grade));
   return grade;

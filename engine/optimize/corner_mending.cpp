@@ -5,11 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/base/eight_directions.h"
 #include "engine/base/error.h"
 #include "engine/mesh/element_measures.h"
 #include "engine/mesh/element_shape.h"
-#include "engine/optimize/eight_directions.h"
-#include "engine/optimize/vertex_star.h"
 #include "engine/step/neighborhood.h"
 
 namespace af2 {
@@ -47,7 +46,7 @@ class CornerMender {
         if (watch.mustStop()) return moves;
         if (!mend(v)) continue;
         ++moves;
-        forEachCornerAt(topology_, v, [&](Corner c) { addInner(c.element(), next); });
+        topology_.forEachCornerOf(v, [&](Corner c) { addInner(c.element(), next); });
       }
       visited = sorted(std::move(next));
     }
@@ -119,7 +118,7 @@ class CornerMender {
     star_.clear();
     shortest_ = INFINITY;
     bool isSeen = true;
-    forEachCornerAt(topology_, v, [&](Corner c) {
+    topology_.forEachCornerOf(v, [&](Corner c) {
       star_.push_back(c);
       const auto corners = mesh_.elements[c.element()].vertices();
       Around& element = around_.emplace_back();

@@ -8,7 +8,6 @@
 #include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/optimize/ideal_angles.h"
-#include "engine/optimize/vertex_star.h"
 
 namespace af2 {
 
@@ -46,7 +45,7 @@ int PatchEditor::irregularity(VertexId v) const {
 bool PatchEditor::addRing(std::size_t firstVertex, std::size_t mostElements) {
   const std::size_t end = vertices_.size(), before = elements_.size();
   for (std::size_t i = firstVertex; i < end; ++i)
-    forEachCornerAt(topology_, vertices_[i], [&](Corner c) {
+    topology_.forEachCornerOf(vertices_[i], [&](Corner c) {
       if (std::exchange(isTaken_[c.element()], 1) == 0) elements_.push_back(c.element());
     });
   if (elements_.size() <= mostElements) return true;
@@ -287,7 +286,7 @@ void PatchEditor::apply(const QuadPatch& changed, const Moved& moved, FinishAct:
 void PatchEditor::move(VertexId v, const SurfacePoint& point) {
   if (recorder_) {
     std::vector<std::size_t> star;
-    forEachCornerAt(topology_, v, [&](Corner c) { star.push_back(c.element()); });
+    topology_.forEachCornerOf(v, [&](Corner c) { star.push_back(c.element()); });
     recorder_->begin(star, v);
   }
   topology_.move(v, point);

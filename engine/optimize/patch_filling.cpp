@@ -7,7 +7,6 @@
 #include "engine/optimize/quad_region.h"
 #include "engine/optimize/ring_filling.h"
 #include "engine/optimize/vertex_news.h"
-#include "engine/optimize/vertex_star.h"
 
 namespace af2 {
 namespace {
@@ -25,7 +24,7 @@ class NearVertices {
     isSeen_[seed.value] = 1;
     for (std::size_t i = 0; i < near_.size() && near_.size() < kMost; ++i) {
       if (near_[i].distance == kReach) break;
-      forEachNeighborOf(topology_, near_[i].vertex, [&](VertexId v) {
+      topology_.forEachNeighborOf(near_[i].vertex, [&](VertexId v) {
         if (std::exchange(isSeen_[v.value], 1) == 0) near_.push_back({v, i, near_[i].distance + 1});
       });
     }
@@ -135,7 +134,7 @@ class PatchFiller {
 
   bool isInside(VertexId v) const {
     bool isInside = true;
-    forEachCornerAt(topology_, v, [&](Corner c) { isInside &= region_.has(c.element()); });
+    topology_.forEachCornerOf(v, [&](Corner c) { isInside &= region_.has(c.element()); });
     return isInside;
   }
 

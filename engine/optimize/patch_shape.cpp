@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "engine/base/eight_directions.h"
 #include "engine/optimize/corner_cost.h"
-#include "engine/optimize/eight_directions.h"
 
 namespace af2 {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/optimize/ideal_angles.h"
-#include "engine/optimize/vertex_star.h"
 
 namespace af2 {
 
@@ -20,7 +19,7 @@ void QuadRegion::add(std::size_t element) {
 }
 
 void QuadRegion::addStar(VertexId v) {
-  forEachCornerAt(topology_, v, [&](Corner c) { add(c.element()); });
+  topology_.forEachCornerOf(v, [&](Corner c) { add(c.element()); });
 }
 
 void QuadRegion::addLayer() {
@@ -50,7 +49,7 @@ QuadRegion::Growth QuadRegion::growOnce() {
   for (const Corner side : outline_) {
     Place place{topology_.vertexAt(side), 0};
     int all = 0;
-    forEachCornerAt(topology_, place.vertex, [&](Corner c) {
+    topology_.forEachCornerOf(place.vertex, [&](Corner c) {
       ++all;
       place.outside += has(c.element()) ? 0 : 1;
     });
@@ -87,7 +86,7 @@ std::optional<RegionRing> QuadRegion::ring() const {
     if (side == sides.end() || side->first != v || ring.vertices.size() == sides.size())
       return std::nullopt;
     Place place{v, 0};
-    forEachCornerAt(topology_, v, [&](Corner c) { place.outside += has(c.element()) ? 0 : 1; });
+    topology_.forEachCornerOf(v, [&](Corner c) { place.outside += has(c.element()) ? 0 : 1; });
     if (wantedInside(place) == 1) ring.corners.push_back(ring.vertices.size());
     ring.vertices.push_back(v);
     v = side->second;

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/eight_directions.h"
 #include "engine/base/error.h"
 #include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_check.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
-#include "engine/optimize/eight_directions.h"
 #include "engine/optimize/element_badness.h"
 #include "engine/step/neighborhood.h"
 

@@ -8,6 +8,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/triangle_grades.h"
+#include "engine/optimize/vertex_step.h"
 #include "engine/step/chart_drawing.h"
 
 namespace af2 {
@@ -48,15 +49,6 @@ DistortionTerm cotangentTerm(const DistortionTerm& corner, Point2 n, Point2 o) {
   const Point2 u = o - n;
   return {kUprightScale, 0, -0.5 * u, -dot(u, n), corner.a, corner.a0};
 }
-
-/// No vertex moves by more than this fraction of its shortest edge at once.
-constexpr double kMaxOfReach = 0.5;
-
-struct Energy {
-  double value = 0;
-  Point2 gradient;
-  double xx = 0, xy = 0, yy = 0;  // second derivatives
-};
 
 /// x^n for even n > 0.
 template <int kPower>
@@ -136,28 +128,12 @@ Point2 lengthened(std::span<const DistortionTerm> terms, Point2 step, double ene
 /// relaxation  factor of the first step tried
 template <int kPower>
 Point2 improvedPosition(std::span<const DistortionTerm> terms, double reach, double relaxation) {
-  constexpr int kHalvings = 4;
   const Energy e = derivativesOf<kPower>(terms);
   if (!std::isfinite(e.value)) return {};
-  const double det = e.xx * e.yy - e.xy * e.xy;
-  Point2 step;
-  if (e.xx > 0 && det > 0) {
-    step = {-(e.yy * e.gradient.x - e.xy * e.gradient.y) / det,
-            -(e.xx * e.gradient.y - e.xy * e.gradient.x) / det};
-  } else {
-    const double slope = length(e.gradient);
-    if (!(slope > 0)) return {};
-    step = (-0.25 * reach / slope) * e.gradient;
-  }
-  step = relaxation * step;
-  if (length(step) > kMaxOfReach * reach) step = (kMaxOfReach * reach / length(step)) * step;
-  for (int i = 0; i < kHalvings; ++i, step = 0.5 * step) {
-    const double energy = energyAt<kPower>(terms, step);
-    if (!(energy < e.value)) continue;
-    const bool isThin = kPower > 2 && energy > power<kPower>(kThinDistortion);
-    return isThin ? lengthened<kPower>(terms, step, energy, reach) : step;
-  }
-  return {};
+  const auto [step, energy] = descent(newtonStep(e, reach, relaxation), e.value,
+                                      [&](Point2 at) { return energyAt<kPower>(terms, at); });
+  const bool isThin = kPower > 2 && energy > power<kPower>(kThinDistortion);
+  return isThin ? lengthened<kPower>(terms, step, energy, reach) : step;
 }
 
 /// Elements below this are good, and may get worse in favour of their neighbours.
@@ -235,20 +211,19 @@ double VertexSmoother::smooth(VertexId v, Goal goal) {
 /// Collects the corners of the vertex; returns false if it lies on the rim.
 bool VertexSmoother::collectStar(Corner first) {
   star_.clear();
+  isBetweenTriangles_ = true;
   Corner c = first;
   do {
     star_.push_back(c);
+    isBetweenTriangles_ &= topology_.sizeOf(c) == 3;
     c = topology_.aroundVertex(c);
   } while (!c.isNone() && c != first);
+  isBetweenTriangles_ &= star_.size() <= TriangleStar::kMost;
   return c == first;
 }
 
 double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal) {
-  if (!makeTerms(chart)) return 0;
-  const bool hasQuads = terms_.size() > star_.size();  // three terms for each
-  const Point2 step = goal == Goal::Worst
-                          ? improvedPosition<16>(terms_, reach_, 1)
-                          : improvedPosition<2>(terms_, reach_, hasQuads ? 1 : kRelaxation);
+  const Point2 step = stepInChart(chart, goal);
   const double move = length(step) / reach_;
   if (!(move >= kMinMove)) return 0;
   const auto lifted = chart.lift(step);
@@ -263,12 +238,28 @@ double VertexSmoother::moveInChart(VertexId v, const StepChart& chart, Goal goal
   return move;
 }
 
+/// Also tells the reach. (0, 0) if the vertex is to stay.
+Point2 VertexSmoother::stepInChart(const StepChart& chart, Goal goal) {
+  if (goal == Goal::All && isBetweenTriangles_) {
+    ring_.clear();
+    for (Corner c : star_) ring_.push_back(&at(topology_.next(c)));
+    if (!triangles_.draw(at(star_.front()), ring_, chart)) return {};
+    reach_ = triangles_.reach();
+    return triangles_.improvedPosition(kRelaxation);
+  }
+  if (!makeTerms(chart)) return {};
+  if (goal == Goal::Worst) return improvedPosition<16>(terms_, reach_, 1);
+  const bool hasQuads = terms_.size() > star_.size();  // three terms for each
+  return improvedPosition<2>(terms_, reach_, hasQuads ? 1 : kRelaxation);
+}
+
 /// Whether the elements around a vertex are better for its move.
 bool VertexSmoother::isImproved(SurfacePoint& here, const SurfacePoint& before,
                                 const StepChart& chart, Goal goal) const {
   const bool isForAll = goal == Goal::All;
   if (isForAll && chart.isPlane()) return true;  // for certain
-  if (isForAll && areAllPlainlyGood()) return true;
+  if (isForAll && isBetweenTriangles_ && triangles_.isPlainlyBelow(kGoodDistortion, here))
+    return true;
   const double worst = worstDistortion();
   if (isForAll && worst <= kGoodDistortion) return true;
   const SurfacePoint after = std::exchange(here, before);
@@ -293,10 +284,6 @@ bool VertexSmoother::makeTerms(const StepChart& chart, const Drawing& drawing) {
   terms_.clear();
   upright_.clear();
   double shortest = INFINITY;  // squared
-  // The plane of a chart leans towards the neighbour that it was made with. Edges that leave it
-  // look shorter than they are, and the vertex would drift at each visit; they are drawn as long as
-  // they are, which needs no root where elements are small.
-  constexpr double kAsLong = 1e-3;
   const Point3& here = at(star_.front()).position;
   const double squaredUnit = chart.unit() * chart.unit();
   const auto drawn = [&](Corner c) {
@@ -305,9 +292,7 @@ bool VertexSmoother::makeTerms(const StepChart& chart, const Drawing& drawing) {
     if (chart.isPlane()) return point;
     const Point3 edge = at(c).position - here;
     const double seen = squaredUnit * dot(point.position, point.position);
-    const double squared = dot(edge, edge);
-    if (seen > 0 && std::abs(squared - seen) > kAsLong * squared)
-      point.position = std::sqrt(squared / seen) * point.position;
+    point.position = stretchOf(dot(edge, edge), seen) * point.position;
     return point;
   };
   // Around the vertex, the edge behind one element is the edge ahead of the next.
@@ -335,28 +320,6 @@ bool VertexSmoother::makeTerms(const StepChart& chart, const Drawing& drawing) {
   const auto isFair = [](const DistortionTerm& t) { return t.scale * t.fixed < kFair * t.a0; };
   if (!upright_.empty() && std::ranges::all_of(terms_, isFair))
     terms_.insert(terms_.end(), upright_.begin(), upright_.end());
-  return true;
-}
-
-/// False also where a corner has no normal.
-bool VertexSmoother::areAllPlainlyGood() const {
-  const SurfacePoint& here = at(star_.front());
-  // Around the vertex, the edge behind one element is the edge ahead of the next.
-  const SurfacePoint* ahead = &at(topology_.next(star_.front()));
-  Point3 p = ahead->position - here.position;
-  for (Corner c : star_) {
-    if (topology_.sizeOf(c) != 3) return false;
-    const SurfacePoint* const behind = &at(topology_.previous(c));
-    const Point3 q = behind->position - here.position;
-    const Point3 turned = cross(p, q);
-    const double squared = dot(turned, turned);
-    if (!(leansLittle(turned, squared, here.normal) & leansLittle(turned, squared, ahead->normal) &
-          leansLittle(turned, squared, behind->normal)))
-      return false;
-    if (!isPlainlyBelow(kGoodDistortion, p, q, turned)) return false;
-    ahead = behind;
-    p = q;
-  }
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/base/work_watch.h"
 #include "engine/mesh/mesh_topology.h"
 #include "engine/optimize/act_recorder.h"
+#include "engine/optimize/triangle_star.h"
 #include "engine/step/neighborhood.h"
 #include "engine/surface/local_transform.h"
 
@@ -46,13 +47,13 @@ class VertexSmoother {
   double smooth(VertexId v, Goal goal);
   bool collectStar(Corner first);
   double moveInChart(VertexId v, const StepChart& chart, Goal goal);
+  Point2 stepInChart(const StepChart& chart, Goal goal);
   bool isImproved(SurfacePoint& here, const SurfacePoint& before, const StepChart& chart,
                   Goal goal) const;
   bool isFixed(Corner c) const;
   bool makeTerms(const StepChart& chart);
   template <class Drawing>
   bool makeTerms(const StepChart& chart, const Drawing& drawing);
-  bool areAllPlainlyGood() const;
   double worstDistortion() const;
   const SurfacePoint& at(Corner c) const { return mesh_.vertices[topology_.vertexAt(c).value]; }
 
@@ -63,6 +64,9 @@ class VertexSmoother {
   ChartSlot slot_;
   std::vector<std::uint8_t> isAwake_;
   std::vector<Corner> star_;
+  bool isBetweenTriangles_ = false;        ///< few enough for triangles_
+  std::vector<const SurfacePoint*> ring_;  ///< around the vertex, if it is
+  TriangleStar triangles_;
   std::vector<DistortionTerm> terms_;
   std::vector<DistortionTerm> upright_;  ///< for corners on the boundary
   double reach_ = 0;                     ///< length of the shortest edge at the vertex

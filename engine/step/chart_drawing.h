@@ -28,7 +28,7 @@ class FrameDrawing {
         scale_{f.scale, f.scale},
         centre_{f.centreX, 0} {}
 
-  Drawn operator()(const SurfacePoint& point) const {
+  [[gnu::always_inline]] Drawn operator()(const SurfacePoint& point) const {
     const Point3 d = point.position - origin_;
     const Pair position =
         scale_ * (Pair{d.x, d.x} * x_ + Pair{d.y, d.y} * y_ + Pair{d.z, d.z} * z_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "geometry/check/drawn_part.h"
 #include "geometry/check/element_pairs.h"
 #include "geometry/check/element_tree.h"
+#include "geometry/check/flat_patch.h"
 #include "geometry/check/patch_outline.h"
 
 namespace af2::geometry {
@@ -18,6 +20,7 @@ namespace {
 /// The elements of one face.
 struct FacePatch {
   OutlinedPatch patch;
+  std::optional<FlatPatch> flat = {};
   bool mayCrossItself = true;
   ElementTree tree = {};  ///< if it is held against one
 };
@@ -35,9 +38,10 @@ class Search {
     std::vector<Box3> boxes;
     for (const FacePatch& face : faces_) boxes.push_back(face.patch.box);
     depth_ = depthFor(boxes);
+    findFlatFaces();
     const auto pairs = nearPairs(std::move(boxes), depth_, [&](std::size_t i, std::size_t k) {
       if (i == k) return faces_[i].mayCrossItself;
-      return shell_[i] == shell_[k] && !isStarShaped_[shell_[i]];
+      return shell_[i] == shell_[k] && !isStarShaped_[shell_[i]] && !arePartedByAPlane(i, k);
     });
     growTrees(pairs);
     std::vector<std::vector<Crossing>> found(pairs.size());
@@ -92,6 +96,18 @@ class Search {
       faces_[i].mayCrossItself = !isStarShaped_[shell_[i]] && !outlines.canBeDrawn(*patch) &&
                                  (isAlone || !outlines.isStarShaped({&patch, 1}));
     });
+  }
+
+  void findFlatFaces() {
+    repeat_(faces_.size(), [&](std::size_t i) {
+      if (!isStarShaped_[shell_[i]]) faces_[i].flat = flatPatchOf(mesh_, faces_[i].patch, depth_);
+    });
+  }
+  bool arePartedByAPlane(std::size_t i, std::size_t k) const {
+    const FacePatch &one = faces_[i], &other = faces_[k];
+    return one.flat && other.flat &&
+           geometry::arePartedByAPlane(mesh_, one.patch, *one.flat, other.patch, *other.flat,
+                                       depth_);
   }
 
   void growTrees(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) {

@@ -40,12 +40,18 @@ class CreaseFinder {
     };
     for (const double share : {0.06, 0.28, 0.5, 0.72, 0.94}) add(share, lines_);
     for (const double share : {0.01, 0.99}) add(share, atSides_);
+    if (!(size_ > 0)) return;
+    const std::vector<double> parameters = samples();
+    for (const ParameterLine& line : lines_) {
+      std::vector<ParameterLine::Place>& places = sampled_.emplace_back();
+      for (const double at : parameters) places.push_back(line.at(at));
+    }
   }
 
   std::vector<Stretch> stretches() const {
     std::vector<Stretch> cut = cutAtCreases();
     if (size_ > 0)
-      cutAtPinches(lines_, samples(), kPinched * size_, {low_, high_, low_, high_}, cut);
+      cutAtPinches(lines_, sampled_, kPinched * size_, {low_, high_, low_, high_}, cut);
     return cut;
   }
 
@@ -174,29 +180,32 @@ class CreaseFinder {
 
   std::vector<std::vector<Crease>> tightTurnsByLine(const std::vector<Crease>& kinks) const {
     std::vector<std::vector<Crease>> byLine;
-    for (const ParameterLine& line : lines_) byLine.push_back(tightTurnsOn(line, kinks));
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      byLine.push_back(tightTurnsOn(lines_[i], sampled_[i], kinks));
     return byLine;
   }
 
   std::vector<Crease> tightTurnsOn(const ParameterLine& line,
+                                   const std::vector<ParameterLine::Place>& sampled,
                                    const std::vector<Crease>& kinks) const {
     std::vector<Crease> found;
     std::vector<double> ends{low_};
     for (const Crease& kink : kinks) ends.push_back(kink.at);
     ends.push_back(high_);
     for (std::size_t k = 1; k < ends.size(); ++k)
-      addTightTurns(line, followed(line, ends[k - 1], ends[k]), found);
+      addTightTurns(line, followed(line, sampled, ends[k - 1], ends[k]), found);
     return found;
   }
 
   /// Places along a line between kinks, so dense that it is known where it turns.
-  std::vector<ParameterLine::Place> followed(const ParameterLine& line, double from,
-                                             double to) const {
+  std::vector<ParameterLine::Place> followed(const ParameterLine& line,
+                                             const std::vector<ParameterLine::Place>& sampled,
+                                             double from, double to) const {
     const double shortest = 0.1 * kWithin * size_;
     std::vector<ParameterLine::Place> places{line.at(from + beside())};
-    for (const double at : samples())
-      if (at > places.back().parameter && at < to - beside())
-        follow(line, line.at(at), shortest, places);
+    for (const ParameterLine::Place& place : sampled)
+      if (place.parameter > places.back().parameter && place.parameter < to - beside())
+        follow(line, place, shortest, places);
     follow(line, line.at(to - beside()), shortest, places);
     return places;
   }
@@ -327,6 +336,7 @@ class CreaseFinder {
   double low_, high_, size_;
   std::vector<double> breaks_;
   std::vector<ParameterLine> lines_, atSides_;
+  std::vector<std::vector<ParameterLine::Place>> sampled_;  ///< by line, if there is a size
 };
 
 }  // namespace

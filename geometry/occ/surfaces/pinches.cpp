@@ -6,15 +6,23 @@ namespace af2::geometry {
 
 namespace {
 
-double widthAt(const std::vector<ParameterLine>& lines, double parameter) {
+/// Length of a line through points on all lines.
+///
+/// at(i)  the point on the i-th line
+template <class At>
+double widthThrough(std::size_t count, const At& at) {
   double sum = 0;
-  Point3 last = lines.front().at(parameter).position;
-  for (const ParameterLine& line : lines) {
-    const Point3 next = line.at(parameter).position;
+  Point3 last = at(0);
+  for (std::size_t i = 1; i < count; ++i) {
+    const Point3 next = at(i);
     sum += distance(last, next);
     last = next;
   }
   return sum;
+}
+
+double widthAt(const std::vector<ParameterLine>& lines, double parameter) {
+  return widthThrough(lines.size(), [&](std::size_t i) { return lines[i].at(parameter).position; });
 }
 
 /// The parameter at which the lines are nearest to each other, between two.
@@ -39,22 +47,27 @@ bool isFlatAt(const std::vector<ParameterLine>& lines, double parameter) {
   return length(sum) > kFlat * static_cast<double>(lines.size());
 }
 
-std::vector<double> pinchesOf(const std::vector<ParameterLine>& lines,
-                              const std::vector<double>& samples, double longest) {
+using Samples = std::vector<std::vector<ParameterLine::Place>>;  // by line
+
+std::vector<double> pinchesOf(const std::vector<ParameterLine>& lines, const Samples& samples,
+                              double longest) {
   constexpr double kNarrow = 0.25;      // of the widest place
   constexpr double kTowardNext = 0.01;  // of the way to the next sample
   std::vector<double> widths;
-  for (const double at : samples) widths.push_back(widthAt(lines, at));
+  for (std::size_t k = 0; k < samples.front().size(); ++k)
+    widths.push_back(
+        widthThrough(lines.size(), [&](std::size_t i) { return samples[i][k].position; }));
+  const auto parameter = [&](std::size_t k) { return samples.front()[k].parameter; };
   const double narrow = kNarrow * std::ranges::max(widths);
   std::vector<double> pinches;
   for (std::size_t i = 1; i + 1 < widths.size(); ++i) {
     if (widths[i] > narrow || widths[i] > widths[i - 1] || widths[i] >= widths[i + 1]) continue;
     // A side of the face that is a point is none.
     if (std::min(widths[i - 1], widths[i + 1]) <= longest) continue;
-    const double at = narrowestBetween(lines, samples[i - 1], samples[i + 1]);
+    const double at = narrowestBetween(lines, parameter(i - 1), parameter(i + 1));
     const bool isPinch = widthAt(lines, at) <= longest &&
-                         !isFlatAt(lines, at + kTowardNext * (samples[i - 1] - at)) &&
-                         !isFlatAt(lines, at + kTowardNext * (samples[i + 1] - at));
+                         !isFlatAt(lines, at + kTowardNext * (parameter(i - 1) - at)) &&
+                         !isFlatAt(lines, at + kTowardNext * (parameter(i + 1) - at));
     if (isPinch) pinches.push_back(at);
   }
   return pinches;
@@ -62,8 +75,8 @@ std::vector<double> pinchesOf(const std::vector<ParameterLine>& lines,
 
 }  // namespace
 
-void cutAtPinches(const std::vector<ParameterLine>& lines, const std::vector<double>& samples,
-                  double longest, const Stretch& whole, std::vector<Stretch>& stretches) {
+void cutAtPinches(const std::vector<ParameterLine>& lines, const Samples& samples, double longest,
+                  const Stretch& whole, std::vector<Stretch>& stretches) {
   for (const double pinch : pinchesOf(lines, samples, longest)) {
     if (stretches.empty()) stretches.push_back(whole);
     const auto before = std::ranges::find_if(stretches, [&](Stretch s) { return s.has(pinch); });

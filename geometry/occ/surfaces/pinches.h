@@ -15,11 +15,13 @@ inline constexpr double kPinched = 1e-3;
 /// Cuts where all lines along a parameter come together at one place and separate again.
 ///
 /// lines      side by side across the face
-/// samples    of the parameter, ascending, dense enough to have one on each side of a pinch
+/// samples    of each line, at the same ascending parameters, dense enough to have one on each side
+///            of a pinch
 /// longest    maximum distance of the lines at one place
 /// whole      the range of the parameter
 /// stretches  of this range; none: it is not divided
-void cutAtPinches(const std::vector<ParameterLine>& lines, const std::vector<double>& samples,
-                  double longest, const Stretch& whole, std::vector<Stretch>& stretches);
+void cutAtPinches(const std::vector<ParameterLine>& lines,
+                  const std::vector<std::vector<ParameterLine::Place>>& samples, double longest,
+                  const Stretch& whole, std::vector<Stretch>& stretches);
 
 }  // namespace af2::geometry
