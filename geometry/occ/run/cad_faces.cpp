@@ -25,6 +25,7 @@
 #include "geometry/occ/faces/meeting_faces.h"
 #include "geometry/occ/faces/solid_volume.h"
 #include "geometry/occ/run/creased_shape.h"
+#include "geometry/occ/sizes/face_range.h"
 #include "geometry/occ/sizes/sizing.h"
 #include "geometry/occ/surfaces/face_surface.h"
 #include "geometry/occ/surfaces/surface_distance.h"
@@ -253,7 +254,10 @@ double CadFaces::expectedOn(int face, int samples) const {
   const double area = areas_[indexOf(face)];
   if (!(area > 0) || options_->stop.stop_requested()) return 0;
   try {
-    return expectedElements(sizes_, face, shape_->surface(face), area, samples);
+    const FaceSurface surface = shape_->surface(face);
+    if (samples == 0) return expectedElements(sizes_, face, surface, area);
+    return expectedByPosition(sizes_, face, surface, area, rangeOf(shape_->face(face), surface),
+                              samples);
   } catch (const GeometryError&) {  // reported when the face is meshed
   } catch (const Standard_Failure&) {
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/base/constants.h"
+#include "geometry/base/box_tree.h"
 
 namespace af2::geometry {
 
@@ -96,15 +97,20 @@ double bounded(const CadSizes& sizes, const CurvedSize& curved, double size) {
   return std::clamp(size, curved.least, sizes.maxSize);
 }
 
-double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
-                        int samples) {
+namespace {
+
+/// Elements on a unit of area, on average over some places of a face.
+struct Density {
+  double mean = 0;
+  double smallest = INFINITY;  ///< of the sizes
+  Box3 around;                 ///< the places
+};
+
+/// From `samples` places along each parameter.
+Density densityOn(const CadSizes& sizes, int face, const FaceSurface& surface,
+                  const SplineSurface::Box& box, int samples, bool byPosition) {
   const double wanted = wantedOnFace(sizes, face);
-  const auto density = [&](double size) { return 1 / (kUnitTriangle * size * size); };
-  constexpr int kFewSamples = 4;
-  const bool byPosition = samples > 0;
-  if (surface.isPlane() && !byPosition) return area * density(wanted);
-  if (!byPosition) samples = kFewSamples;
-  const SplineSurface::Box& box = surface.box();
+  Density density;
   double sum = 0, weights = 0;
   for (int i = 0; i < samples; ++i) {
     for (int j = 0; j < samples; ++j) {
@@ -112,18 +118,39 @@ double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surf
       const double v = box.v1 + (j + 0.5) / samples * (box.v2 - box.v1);
       const SurfaceFrame frame = surface.inOccParameters().frameAt(u, v);
       const double weight = length(cross(frame.du, frame.dv));
-      weights += weight;
       const CurvedSize curved = surface.isPlane() ? CurvedSize{wanted, 1, sizes.minSize}
                                                   : curvedSizeAt(sizes, face, wanted, surface,
                                                                  {frame.position, {}, u, v});
-      const double size =
-          sizes.chords.areGiven() ? bounded(sizes, curved, curved.limit) : curved.limit;
-      sum += weight * density(byPosition ? bounded(sizes, curved,
-                                                   limitByFunction(sizes, size, frame.position))
-                                         : size);
+      double size = sizes.chords.areGiven() ? bounded(sizes, curved, curved.limit) : curved.limit;
+      if (byPosition) size = bounded(sizes, curved, limitByFunction(sizes, size, frame.position));
+      weights += weight;
+      sum += weight / (kUnitTriangle * size * size);
+      density.smallest = std::min(density.smallest, size);
+      density.around.add(frame.position);
     }
   }
-  return weights > 0 ? area * sum / weights : area * density(wanted);
+  density.mean = weights > 0 ? sum / weights : 1 / (kUnitTriangle * wanted * wanted);
+  return density;
+}
+
+}  // namespace
+
+double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area) {
+  constexpr int kSamples = 4;
+  if (!surface.isPlane())
+    return area * densityOn(sizes, face, surface, surface.box(), kSamples, false).mean;
+  const double wanted = wantedOnFace(sizes, face);
+  return area / (kUnitTriangle * wanted * wanted);
+}
+
+double expectedByPosition(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
+                          const SplineSurface::Box& where, int samples) {
+  constexpr int kFewest = 2;
+  constexpr double kEven = 0.25;  // of the size: what it can change by across the face
+  const Density few = densityOn(sizes, face, surface, where, kFewest, true);
+  const double extent = kFewest * distance(few.around.low, few.around.high);
+  if (sizes.growth * extent < kEven * few.smallest) return area * few.mean;
+  return area * densityOn(sizes, face, surface, where, samples, true).mean;
 }
 
 }  // namespace af2::geometry

@@ -43,10 +43,12 @@ double bounded(const CadSizes& sizes, const CurvedSize& curved, double size);
 
 /// The approximate number of triangles of a face: its area over theirs, at the sizes from the
 /// options and the curvature.
+double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area);
+/// The same, where what is wanted by position counts, too.
 ///
-/// samples  if given, what is wanted by position counts, too, at so many places along each
-/// parameter
-double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
-                        int samples = 0);
+/// where    the range of OpenCASCADE's parameters that the face is in
+/// samples  so many places along each parameter; where sizes cannot change much, fewer will do
+double expectedByPosition(const CadSizes& sizes, int face, const FaceSurface& surface, double area,
+                          const SplineSurface::Box& where, int samples);
 
 }  // namespace af2::geometry

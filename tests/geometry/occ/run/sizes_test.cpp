@@ -301,5 +301,15 @@ TEST(Sizes, AreNotTriedBelowTheLeast) {
   EXPECT_GT(mesh(quarter, sizes).elements.size(), coarse.elements.size());
 }
 
+/// Also far away from the origins of the planes, at the corner of the box.
+TEST(SizeFunction, ThatAsksForTooManyElementsIsRefusedWhereverItDoes) {
+  const Model box = testing::box(10, 10, 10);
+  for (const double at : {1., 5., 9.}) {
+    Sizes sizes = sizesOf(5);
+    sizes.function = [at](const Point3& p) { return distance(p, {at, at, 10}) < 2 ? 1e-4 : 5; };
+    EXPECT_THROW(mesh(box, sizes), InputError) << at;
+  }
+}
+
 }  // namespace
 }  // namespace af2::geometry
