@@ -249,7 +249,7 @@ void CadFaces::findAreas() {
 
 /// The number of elements of a face; 0 if unknown.
 ///
-/// samples  along each parameter, where sizes differ from place to place; 0: as few as will do
+/// samples  along each parameter, of what is wanted by position; 0: that does not count
 double CadFaces::expectedOn(int face, int samples) const {
   const double area = areas_[indexOf(face)];
   if (!(area > 0) || options_->stop.stop_requested()) return 0;

@@ -65,39 +65,11 @@ bool isRippledStrip(double size, const FaceSurface& surface) {
   return surface.isWavy() && surface.breadth() < kShareOfSize * size;
 }
 
-}  // namespace
-
-namespace {
-
 /// Elements scatter around their size.
 double byChord(const CadSizes& sizes, int face, double radius) {
   constexpr double kAim = 0.9;
   return kAim * longestChord(radius, sizes.chords.aimOf(face) * chordOnFace(sizes, face));
 }
-
-}  // namespace
-
-CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
-                        const SurfacePoint& point) {
-  constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
-  const FaceSurface::Radii radii = surface.radiiAt(point, reachFromTip(size, surface));
-  const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
-  const double share = 1 - (1 - sizes.curvedShare) * bend;
-  const double gentle =
-      std::min({size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size),
-                byChord(sizes, face, radii.smallest)});
-  if (sizes.roughFaces.contains(face) || isCreased(size, surface) || isRippledStrip(size, surface))
-    return {gentle, share, sizes.minSize};
-  const double least = leastOnTube(sizes, size, surface, radii.bent);
-  return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share,
-          leastAllowedOnTube(sizes, size, surface, radii.bent)};
-}
-
-double bounded(const CadSizes& sizes, const CurvedSize& curved, double size) {
-  return std::clamp(size, curved.least, sizes.maxSize);
-}
-
-namespace {
 
 /// Elements on a unit of area, on average over some places of a face.
 struct Density {
@@ -134,6 +106,26 @@ Density densityOn(const CadSizes& sizes, int face, const FaceSurface& surface,
 }
 
 }  // namespace
+
+CurvedSize curvedSizeAt(const CadSizes& sizes, int face, double size, const FaceSurface& surface,
+                        const SurfacePoint& point) {
+  constexpr double kVisible = 0.05;  // turn of an edge, in those that it may have
+  const FaceSurface::Radii radii = surface.radiiAt(point, reachFromTip(size, surface));
+  const double bend = std::min(1.0, size / (kVisible * sizes.faceTurn * radii.smallest));
+  const double share = 1 - (1 - sizes.curvedShare) * bend;
+  const double gentle =
+      std::min({size, std::max(sizes.faceTurn * radii.smallest, sizes.faceLeast * size),
+                byChord(sizes, face, radii.smallest)});
+  if (sizes.roughFaces.contains(face) || isCreased(size, surface) || isRippledStrip(size, surface))
+    return {gentle, share, sizes.minSize};
+  const double least = leastOnTube(sizes, size, surface, radii.bent);
+  return {std::min(gentle, std::max(sizes.faceTurn * radii.bent, least)), share,
+          leastAllowedOnTube(sizes, size, surface, radii.bent)};
+}
+
+double bounded(const CadSizes& sizes, const CurvedSize& curved, double size) {
+  return std::clamp(size, curved.least, sizes.maxSize);
+}
 
 double expectedElements(const CadSizes& sizes, int face, const FaceSurface& surface, double area) {
   constexpr int kSamples = 4;
