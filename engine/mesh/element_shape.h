@@ -108,19 +108,14 @@ constexpr double plainLimit(double limit) {
   return kCertain * kTwelve * limit * limit;
 }
 
-/// The sum of the squared sides of a triangle, two of which are p and q.
-inline double squaresOf(const Point3& p, const Point3& q) {
-  const Point3 r = q - p;
-  return dot(p, p) + dot(q, q) + dot(r, r);
-}
-
 /// Whether the distortion of a triangle is certainly below a limit, whatever way it faces. Needs
 /// neither a root nor a division. False means: not certain.
 ///
 /// p, q    two of its sides, from the same corner
 /// turned  cross(p, q)
 inline bool isPlainlyBelow(double limit, const Point3& p, const Point3& q, const Point3& turned) {
-  const double squares = squaresOf(p, q);
+  const Point3 r = q - p;
+  const double squares = dot(p, p) + dot(q, q) + dot(r, r);
   return squares * squares < plainLimit(limit) * dot(turned, turned);
 }
 

@@ -22,18 +22,10 @@ inline TriangleGrade gradeOf(MeshTopology& topology, std::size_t e) {
     return topology.mesh().vertices[element.corners[i].value];
   };
   grade = TriangleGrade::Other;
-  if (!element.isQuad()) {
+  if (!element.isQuad() && isPlainlyBelow(kGoodTriangle, at(0), at(1), at(2))) {
     const Point3 p = at(1).position - at(0).position, q = at(2).position - at(0).position;
-    const Point3 turned = cross(p, q);
-    const double squared = dot(turned, turned);
-    const auto faces = [&](const Point3& normal) {
-      return leansLittle(turned, squared, normal) || normal == Point3{};
-    };
-    const double squares = squaresOf(p, q), shape = squares * squares;
-    if (shape < plainLimit(kGoodTriangle) * squared && faces(at(0).normal) && faces(at(1).normal) &&
-        faces(at(2).normal))
-      grade =
-          shape < plainLimit(kEvenTriangle) * squared ? TriangleGrade::Even : TriangleGrade::Good;
+    grade = isPlainlyBelow(kEvenTriangle, p, q, cross(p, q)) ? TriangleGrade::Even
+                                                             : TriangleGrade::Good;
   }
   topology.setGrade(e, static_cast<std::uint8_t>(grade));
   return grade;

@@ -13,7 +13,7 @@
 namespace af2 {
 
 /// Where a vertex between triangles should move. VertexSmoother does the same for elements of any
-/// kind, in twice the time; most vertices have only triangles around them.
+/// kind, one after the other.
 class TriangleStar {
  public:
   static constexpr std::size_t kMost = 16;  ///< triangles

@@ -236,5 +236,35 @@ TEST(Smoothing, LeavesVerticesBetweenEvenTrianglesAlone) {
   EXPECT_GT(VertexSmoother(moved, sheet.mesh, sheet.maker).sweep(), 0u);
 }
 
+/// A vertex away from the middle of a polygon, between triangles to its corners.
+struct Wheel {
+  Mesh mesh;
+  MeshBoundary boundary;
+  FlatMaker maker;
+
+  explicit Wheel(std::size_t spokes) {
+    for (std::size_t i = 0; i < spokes; ++i) {
+      const double angle = 2 * M_PI * static_cast<double>(i) / static_cast<double>(spokes);
+      mesh.vertices.push_back({{std::cos(angle), std::sin(angle), 0}, {0, 0, 1}});
+      mesh.elements.push_back(
+          {{VertexId(i), VertexId((i + 1) % spokes), VertexId(spokes), VertexId()}});
+    }
+    boundary.fixedCount = spokes;
+    mesh.vertices.push_back({{0.3, 0.1, 0}, {0, 0, 1}});
+    mesh.origins.resize(spokes);
+  }
+};
+
+/// TriangleStar has room for some triangles only.
+TEST(Smoothing, MovesAVertexBetweenAnyNumberOfTriangles) {
+  for (const std::size_t spokes : {3u, 4u, 5u, 15u, 16u, 17u, 18u, 40u}) {
+    Wheel wheel(spokes);
+    MeshTopology topology(wheel.mesh, wheel.boundary);
+    VertexSmoother smoother(topology, wheel.mesh, wheel.maker);
+    for (int i = 0; i < 20; ++i) smoother.sweep();
+    EXPECT_LT(length(wheel.mesh.vertices.back().position), 0.02) << spokes;
+  }
+}
+
 }  // namespace
 }  // namespace af2
