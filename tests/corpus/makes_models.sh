@@ -5,7 +5,7 @@ program=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-"$program" "$folder" 1 | tee "$folder/told"
+"$program" "$folder/new/models" 1 | tee "$folder/told"
 empty=$(grep -c ' 0$' "$folder/told" || true)
 if [ "$empty" -gt 3 ]; then
   echo "$empty families made no model"

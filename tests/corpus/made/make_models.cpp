@@ -19,7 +19,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "tests/corpus/made/families.h"
 #include "tests/corpus/made/shapes.h"
@@ -136,6 +138,12 @@ int main(int argc, char** argv) {
   if (argc < 3) {
     std::fprintf(stderr, "usage: make_models FOLDER COUNT [FIRST]\n");
     return 2;
+  }
+  std::error_code error;
+  std::filesystem::create_directories(argv[1], error);
+  if (error) {
+    std::fprintf(stderr, "make_models: %s cannot be made: %s\n", argv[1], error.message().c_str());
+    return 1;
   }
   Message::DefaultMessenger()->ChangePrinters().Clear();
   const int count = std::atoi(argv[2]), first = argc > 3 ? std::atoi(argv[3]) : 0;
