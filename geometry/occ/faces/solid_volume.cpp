@@ -1,16 +1,22 @@
 #include "geometry/occ/faces/solid_volume.h"
 
 #include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <cmath>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Sphere.hxx>
 #include <limits>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "geometry/occ/base/points.h"
 #include "geometry/occ/faces/curved_integral.h"
 #include "geometry/occ/faces/face_area.h"
+#include "geometry/occ/faces/projected_area.h"
 
 namespace af2::geometry {
 
@@ -33,17 +39,46 @@ double curvedCone(const TopoDS_Face& face, const FaceSurface& surface, const Poi
   return integral.isClosed() ? integral.sum() : kUnknown;
 }
 
-/// The same to any face; not a number if it cannot be computed.
+/// A surface whose tangent planes are all as far from some point: a cylinder, cone or sphere.
+struct EvenlyFar {
+  Point3 centre;
+  double distance = 0;  ///< to that side to which du x dv points
+};
+
+std::optional<EvenlyFar> evenlyFar(const TopoDS_Face& face) {
+  const GeomAdaptor_Surface surface(BRep_Tool::Surface(face));
+  const auto outward = [](const gp_Ax3& at) { return at.Direct() ? 1. : -1.; };
+  switch (surface.GetType()) {
+    case GeomAbs_Cylinder: {
+      const gp_Cylinder cylinder = surface.Cylinder();
+      return EvenlyFar{toPoint(cylinder.Location()),
+                       outward(cylinder.Position()) * cylinder.Radius()};
+    }
+    case GeomAbs_Cone:
+      return EvenlyFar{toPoint(surface.Cone().Apex()), 0};
+    case GeomAbs_Sphere: {
+      const gp_Sphere sphere = surface.Sphere();
+      return EvenlyFar{toPoint(sphere.Location()), outward(sphere.Position()) * sphere.Radius()};
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The same to any face that is not reversed; not a number if it cannot be computed.
 double cone(const ModelShape& model, int id, const TopoDS_Face& face, const Point3& apex) {
   const FaceSurface surface = model.surface(id);
-  const double sign = face.Orientation() == TopAbs_REVERSED ? -1 : 1;
-  if (!surface.isPlane())
-    return sign *
-           curvedCone(TopoDS::Face(face.Oriented(TopAbs_FORWARD)), surface, apex, model.diagonal);
-  const SurfaceFrame frame = surface.inOccParameters().frameAt(0, 0);
+  const std::optional<EvenlyFar> far = evenlyFar(face);
+  if (!surface.isPlane() && !far) return curvedCone(face, surface, apex, model.diagonal);
   const double area = areaOf(model, id);
   if (area == 0) return kUnknown;
-  return sign * area * dot(frame.position - apex, unit(cross(frame.du, frame.dv)));
+  if (surface.isPlane()) {
+    const SurfaceFrame frame = surface.inOccParameters().frameAt(0, 0);
+    return area * dot(frame.position - apex, unit(cross(frame.du, frame.dv)));
+  }
+  ProjectedArea towardsCentre(far->centre - apex);
+  addBoundary(face, towardsCentre);
+  return far->distance * area + towardsCentre.sum();
 }
 
 /// Where the model is, so that the cones are no larger than it.
@@ -59,8 +94,11 @@ std::optional<double> volumeOfSolids(const ModelShape& model) {
     const Point3 apex = apexOf(model);
     double sum = 0;
     for (TopExp_Explorer solid(model.shape, TopAbs_SOLID); solid.More(); solid.Next())
-      for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next())
-        sum += cone(model, model.faces.FindIndex(it.Current()), TopoDS::Face(it.Current()), apex);
+      for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next()) {
+        const TopoDS_Face forward = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
+        const double sign = it.Current().Orientation() == TopAbs_REVERSED ? -1 : 1;
+        sum += sign * cone(model, model.faces.FindIndex(it.Current()), forward, apex);
+      }
     if (std::isfinite(sum)) return sum / 3;
   } catch (const GeometryError&) {  // a face has no surface
   } catch (const Standard_Failure&) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
 #include <numbers>
@@ -21,7 +23,8 @@ using std::numbers::pi;
 
 double volumeOf(const Model& model) { return volumeOfSolids(model.shape()).value_or(0); }
 
-/// Held against OpenCASCADE's own integration, as it is, turned inside out, and elsewhere.
+/// Held against OpenCASCADE's own integration, as it is, turned inside out, elsewhere, and in a
+/// mirror, where surfaces have axes of the other handedness.
 void expectVolumeOfOpenCascade(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties, 1e-9);
@@ -31,6 +34,10 @@ void expectVolumeOfOpenCascade(const TopoDS_Shape& shape) {
   gp_Trsf away;
   away.SetTranslation(gp_Vec(1000, -2000, 500));
   EXPECT_NEAR(volumeOf(testing::modelOf(shape.Moved(away))), expected, 1e-5 * expected);
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2({1, 2, 3}, {1, 2, -2}));
+  EXPECT_NEAR(volumeOf(testing::modelOf(BRepBuilderAPI_Transform(shape, mirror, true).Shape())),
+              expected, 1e-5 * expected);
 }
 
 TEST(SolidVolume, OfSimpleShapesIsThatOfTheFormulas) {
@@ -47,6 +54,11 @@ TEST(SolidVolume, IsThatOfOpenCascade) {
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(2).Shape(), testing::drilledBlock()));
   expectVolumeOfOpenCascade(
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeTorus(3, 1).Shape(), testing::drilledBlock()));
+  expectVolumeOfOpenCascade(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeCone(3, 1, 4).Shape(), testing::drilledBlock()));
+  expectVolumeOfOpenCascade(
+      BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(6, 6, 6).Shape(),
+                      BRepPrimAPI_MakeCylinder(gp_Ax2({1, 1, 7}, {1, 2, -3}), 1.5, 9, 4).Shape()));
   expectVolumeOfOpenCascade(BRepBuilderAPI_NurbsConvert(testing::drilledBlock()).Shape());
 }
 
