@@ -78,11 +78,16 @@ std::vector<double> MeshTopology::anglesAtFixed() const {
   const auto at = [&](Corner c) -> const Point3& {
     return mesh_.vertices[vertexAt(c).value].position;
   };
-  forAllCorners(mesh_, [&](Corner c) {
-    if (!isFixed(vertexAt(c))) return;
-    const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
-    angles[vertexAt(c).value] += angleBetween(p, q);
-  });
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const auto& [v, w, x, y] = mesh_.elements[e].corners;
+    if (!(isFixed(v) | isFixed(w) | isFixed(x) | isFixed(y))) continue;  // as most elements
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mesh_.elements[e].size()); ++i) {
+      const Corner c(e, i);
+      if (!isFixed(vertexAt(c))) continue;
+      const Point3 p = at(next(c)) - at(c), q = at(previous(c)) - at(c);
+      angles[vertexAt(c).value] += angleBetween(p, q);
+    }
+  }
   return angles;
 }
 

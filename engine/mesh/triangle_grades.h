@@ -31,6 +31,12 @@ inline TriangleGrade gradeOf(MeshTopology& topology, std::size_t e) {
   return grade;
 }
 
+/// Whether a triangle is known to be below kGoodTriangle, which is so for most of them once they
+/// have been looked at: only a byte is read.
+inline bool isKnownGood(const MeshTopology& topology, std::size_t e) {
+  return topology.gradeOf(e) >= static_cast<std::uint8_t>(TriangleGrade::Good);
+}
+
 /// Whether a triangle is known, or found, to be below kGoodTriangle.
 inline bool isGood(MeshTopology& topology, std::size_t e) {
   return gradeOf(topology, e) >= TriangleGrade::Good;

@@ -51,6 +51,7 @@ class Collapser {
  private:
   /// Marks the vertices of a bad triangle.
   void look(std::size_t e) {
+    if (isKnownGood(topology_, e)) return;
     const auto corners = topology_.mesh().elements[e].vertices();
     if (topology_.isDead(e) || corners.size() != 3 || isGood(topology_, e)) return;
     if (isPlainlyBelow(kBadDistortion, at(corners[0]), at(corners[1]), at(corners[2]))) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "engine/mesh/element_shape.h"
 #include "engine/mesh/triangle_grades.h"
@@ -27,16 +28,11 @@ class Swapper {
         wantedAtFixed_(wantedAtFixed),
         recorder_(recorder),
         watch_(watch) {
-    const std::size_t elements = topology.mesh().elements.size();
-    mayChange_.resize(elements);
-    for (std::size_t e = 0; e < elements; ++e) {
-      if (topology.isDead(e)) continue;
-      if (goal == SwapGoal::Shape)
-        look(e);
-      else if (std::ranges::any_of(topology.mesh().elements[e].vertices(),
-                                   [&](VertexId v) { return defect(v, 0) > 0; }))
-        mark(e);
-    }
+    mayChange_.resize(topology.mesh().elements.size());
+    if (goal == SwapGoal::Shape)
+      lookAtAll();
+    else
+      markBesideIrregular();
   }
 
   /// One sweep over all sides in order. Returns the number of swapped sides.
@@ -84,9 +80,29 @@ class Swapper {
                                       : FinishAct::Kind::SwapForQuality;
   }
 
+  void lookAtAll() {
+    for (std::size_t e = 0; e < mayChange_.size(); ++e)
+      if (!isKnownGood(topology_, e) && !topology_.isDead(e)) look(e);
+  }
+
   /// Marks a triangle unless it is too good to be swapped.
   void look(std::size_t e) {
     if (!topology_.mesh().elements[e].isQuad() && !isGood(topology_, e)) mark(e);
+  }
+
+  /// Marks the elements at vertices that have not as many as they want.
+  void markBesideIrregular() {
+    const Mesh& mesh = topology_.mesh();
+    std::vector<std::uint8_t> isIrregular(mesh.vertices.size());
+    for (std::size_t v = 0; v < isIrregular.size(); ++v)
+      isIrregular[v] = defect(VertexId(v), 0) > 0;
+    for (std::size_t e = 0; e < mayChange_.size(); ++e) {
+      if (topology_.isDead(e)) continue;
+      const auto& [a, b, c, d] = mesh.elements[e].corners;
+      if (isIrregular[a.value] | isIrregular[b.value] | isIrregular[c.value] |
+          (!d.isNone() && isIrregular[d.value]))
+        mark(e);
+    }
   }
 
   /// The sides of an element are to be looked at, each from either of its two elements.

@@ -45,7 +45,7 @@ class PoorElements {
  public:
   explicit PoorElements(MeshTopology& topology) : topology_(topology) {
     for (std::size_t e = 0; e < topology.mesh().elements.size(); ++e)
-      if (!topology.isDead(e)) look(e);
+      if (!isKnownGood(topology, e) && !topology.isDead(e)) look(e);
     sortOut();
   }
 
