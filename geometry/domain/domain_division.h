@@ -10,6 +10,7 @@
 #include "geometry/domain/domain_model.h"
 #include "geometry/edges/divided_edges.h"
 #include "geometry/layers/layer_heights.h"
+#include "geometry/sizes/finer_inside.h"
 #include "geometry/sizes/growing_size.h"
 
 namespace af2::geometry {
@@ -21,6 +22,7 @@ struct DomainSizes {
   std::map<int, double> onEdge;  ///< by id of an edge, instead of those of its faces
   std::shared_ptr<const GrowingSize> nearLoosePoints;  ///< null: there are none
   CurvatureLimits byCurvature;
+  FinerInside finer = {};  ///< by position and near loose points
 };
 
 /// Segments have the wanted sizes along the curve, or end at the points that are given for it. A

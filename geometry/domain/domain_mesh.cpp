@@ -210,22 +210,21 @@ class DomainFaces final : public FaceSource {
     };
     const double expected = expectedOn(id, size);
     // What curvature allows is in the expected number of elements, if a face has such a limit.
-    const bool mayBeFine = sizes_->byPosition.isVaried() ||
-                           (options_->sizes.elementsPerTurn > 0 && !limit) ||
-                           sizes_->nearLoosePoints != nullptr;
+    const bool mayTurn = options_->sizes.elementsPerTurn > 0 && !limit;
+    const FinerInside finer = mayTurn ? kAnySizes : sizes_->finer;
     const auto withoutParameters = [](std::vector<StuckPlace>& places) {
       for (StuckPlace& place : places) place.u = place.v = 0;
     };
-    fillAndJudge({{*face.surface, boundary, graded, area, expected, request.algorithm,
-                   request.options, mayBeFine, request.limits, request.progress, tools,
-                   limit && request.limits.hasOriginalSizes},
-                  wanted,
-                  kUnseen * size,
-                  request.findMiddles,
-                  face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
-                                          : withoutParameters,
-                  [&](const SurfacePoint&) { return options_->sizes.minSize; }},
-                 boundary, mesh);
+    fillAndJudge(
+        {{*face.surface, boundary, graded, area, expected, request.algorithm, request.options,
+          finer, request.limits, request.progress, tools, limit && request.limits.hasOriginalSizes},
+         wanted,
+         kUnseen * size,
+         request.findMiddles,
+         face.surface->isPlane() ? std::function<void(std::vector<StuckPlace>&)>()
+                                 : withoutParameters,
+         [&](const SurfacePoint&) { return options_->sizes.minSize; }},
+        boundary, mesh);
   }
 
   /// What the mesh of a face depends on besides its surface and what is the same whenever the model
@@ -300,7 +299,7 @@ class DomainFaces final : public FaceSource {
 
   void findSizes() {
     const Sizes& asked = options_->sizes;
-    sizes_ = DomainSizes{DomainSize(asked), {}, asked.edgeSizes, nullptr, {}};
+    sizes_ = DomainSizes{DomainSize(asked), {}, asked.edgeSizes, nullptr, {}, finerInside(asked)};
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       const auto given = asked.faceSizes.find(static_cast<int>(f) + 1);
       const double size = given == asked.faceSizes.end() ? asked.size : given->second;
@@ -357,6 +356,8 @@ class DomainFaces final : public FaceSource {
         if (source.size < sizes_->onFace[f]) sources.push_back(source);
     }
     if (sources.empty()) return;
+    sizes_->finer = sizes_->finer +
+                    finerAround(sources, options_->sizes.growth, std::ranges::max(sizes_->onFace));
     sizes_->nearLoosePoints = std::make_shared<const GrowingSize>(
         std::move(sources), options_->sizes.growth, DomainCurve::kNoLimit);
   }

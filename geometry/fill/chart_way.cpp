@@ -123,12 +123,11 @@ double elementsBeside(const FrontInput& input) {
   return kElementsBesideSegment * (sum + static_cast<double>(input.isolated.size()));
 }
 
-/// Several times what is expected. Only a size function may want much smaller elements inside.
+/// Several times what is expected, and what sizes by position may want inside.
 std::size_t elementLimit(const FaceTask& task) {
   const double expected = task.knowsSizes ? task.expectedElements : expectedElements(task);
-  const double margin = task.mayBeFineInside ? kElementMarginOfFunctions : marginOf(task);
   const double beside = elementsBeside(task.boundary.input) + kElementsAlways;
-  const double limit = margin * expected + beside;
+  const double limit = marginOf(task) * task.finer.most(expected) + beside;
   return static_cast<std::size_t>(limit < kMaxElements ? limit
                                                        : kMaxElements);  // also if it is no number
 }

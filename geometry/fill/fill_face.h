@@ -15,6 +15,7 @@
 #include "geometry/mesh/face_history.h"
 #include "geometry/mesh/model_mesh.h"
 #include "geometry/mesh/try_limits.h"
+#include "geometry/sizes/finer_inside.h"
 
 namespace af2::geometry {
 
@@ -62,8 +63,8 @@ struct FaceTask {
   double expectedElements = 1;
   const AF2Algorithm& algorithm;
   const FillOptions& options;
-  /// Whether sizes inside may be much smaller than along the boundary.
-  bool mayBeFineInside = false;
+  /// How many more elements than expected sizes inside may want.
+  FinerInside finer = {};
   /// The limits of this try at the face.
   const TryLimits& limits;
   const ProgressCallback& progress;

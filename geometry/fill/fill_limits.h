@@ -23,9 +23,6 @@ inline constexpr std::size_t kStallCandidates = 4'000'000;
 /// be, and two where all sizes are known.
 inline constexpr double kElementMargin = 4, kElementMarginOfKnownSizes = 2;
 
-/// The same where a size function may want much smaller elements anywhere inside.
-inline constexpr double kElementMarginOfFunctions = 1e5;
-
 /// Elements that any face may have, and those next to each segment, where elements grow from the
 /// length of the segment to the longest one.
 inline constexpr double kElementsAlways = 2000, kElementsBesideSegment = 12;

@@ -62,11 +62,10 @@ FaceAttempt fillAcrossLoops(FillState& state) {
   TryLimits limits = state.task.limits;
   limits.maxCandidates = std::min(limits.maxCandidates, kMaxCandidatesBeforeLoops);
   const FaceTask& given = state.task;
-  const FaceTask task{given.surface,   given.boundary,         given.size,
-                      given.area,      given.expectedElements, given.algorithm,
-                      given.options,   given.mayBeFineInside,  limits,
-                      given.progress,  given.makeTools,        given.knowsSizes,
-                      given.areaBeside};
+  const FaceTask task{
+      given.surface,   given.boundary,   given.size,      given.area, given.expectedElements,
+      given.algorithm, given.options,    given.finer,     limits,     given.progress,
+      given.makeTools, given.knowsSizes, given.areaBeside};
   std::size_t searchCost = 0;
   for (const ChartTraits* chart : state.charts) {
     FaceAttempt attempt = attemptWith(task, *chart, 0);

@@ -256,7 +256,7 @@ class FaceMesher {
                         area_ > 0 ? expected_ : mostElements(boundary.input),
                         request.algorithm,
                         request.options,
-                        context_.mayBeFineInside,
+                        context_.finer,
                         request.limits,
                         request.progress,
                         tools,

@@ -12,6 +12,7 @@
 #include "geometry/occ/faces/face_boundary.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
+#include "geometry/sizes/finer_inside.h"
 
 namespace af2::geometry {
 
@@ -19,8 +20,7 @@ struct FaceMeshingContext {
   const ModelShape& model;
   const CadSizes& sizes;  ///< with the sizes by position of this try
   const std::vector<FaceOnFace>& onFaces;
-  /// Whether sizes inside a face may be much smaller than along its boundary.
-  bool mayBeFineInside = false;
+  FinerInside finer = {};  ///< see FaceTask
   const FillRequest& request;
   const EdgeLayers* layers = nullptr;  ///< of the face; null: none
 };

@@ -186,7 +186,7 @@ void MergedFaces::fill(int face, const FillRequest& request, FaceMesh& mesh) con
   }
   mesh.report.area = quilt->area;
   const auto fillBy = [&](const CadSizes& sizes) {
-    fillQuilt({*quilt, sizes, request, workOn(face), isFineInside()}, mesh);
+    fillQuilt({*quilt, sizes, request, workOn(face), finerInside()}, mesh);
   };
   request.limits.hasOriginalSizes ? fillBy(sizes()) : fillBy(withFunction(request.sizes));
 }

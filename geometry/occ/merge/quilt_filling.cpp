@@ -79,7 +79,7 @@ class Filling {
       return makeTools(graded, kind);
     };
     fillAndJudge({{surface, boundary, graded, mesh.report.area, task_.expectedElements,
-                   task_.request.algorithm, task_.request.options, task_.mayBeFineInside,
+                   task_.request.algorithm, task_.request.options, task_.finer,
                    task_.request.limits, task_.request.progress, tools},
                   ungraded,
                   kUnseen * wantedSize,

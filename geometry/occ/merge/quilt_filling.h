@@ -7,6 +7,7 @@
 #include "geometry/meshing/face_source.h"
 #include "geometry/occ/merge/merge_plan.h"
 #include "geometry/occ/sizes/cad_sizes.h"
+#include "geometry/sizes/finer_inside.h"
 
 namespace af2::geometry {
 
@@ -15,7 +16,7 @@ struct QuiltTask {
   const CadSizes& sizes;
   const FillRequest& request;
   double expectedElements = 1;
-  bool mayBeFineInside = false;
+  FinerInside finer = {};
 };
 
 /// Throws GeometryError with the reason if nothing works.

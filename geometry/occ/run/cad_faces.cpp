@@ -73,7 +73,8 @@ void CadFaces::prepare(const MeshingOptions& options, const std::vector<int>& fa
   options_ = &options;
   faces_ = faces;
   sizes_ = CadSizes{options.sizes, turns_, {}};
-  isFineInside_ = sizes_.function || !sizes_.sources.isEmpty();
+  isByPosition_ = sizes_.function || !sizes_.sources.isEmpty();
+  finer_ = geometry::finerInside(sizes_);
   refuseBlurred(farthestVertex(), model_.shape().diagonal, sizes_.size);
   shape_ = withCreases(model_.sharedShape(), faces_, sizes_, options.threads, options.stop);
   findFacesOnFaces();
@@ -146,7 +147,7 @@ std::vector<CountedLoop> CadFaces::loopsOf(int face, const DividedEdges& divided
 template <class Use>
 auto CadFaces::withContext(int face, const FillRequest& request, const Use& use) const {
   const auto useWith = [&](const CadSizes& sizes) {
-    return use({*shape_, sizes, onFaces_, isFineInside_, request, layersOn(face)});
+    return use({*shape_, sizes, onFaces_, finer_, request, layersOn(face)});
   };
   return request.limits.hasOriginalSizes ? useWith(sizes_) : useWith(withFunction(request.sizes));
 }
@@ -280,16 +281,16 @@ void CadFaces::expectMoreOn(const std::vector<int>& uneven) {
   refuseTooMany(work_, memoryLimitOf(*options_));
 }
 
-/// Points, boxes, functions and turns may want small sizes anywhere. What turns want is found by
-/// a few samples as well as what faces want without them; points, boxes and functions may hide.
+/// Points, boxes, functions and turns may want small sizes anywhere. A few samples find what turns
+/// want as well as what faces want without them; points, boxes and functions may hide.
 void CadFaces::expectByPosition() {
   constexpr int kSamples = 8;
-  if (!isFineInside_ && sizes_.elementsPerTurn == 0) return;
+  if (!isByPosition_ && sizes_.elementsPerTurn == 0) return;
   std::vector<double> elements(work_.size());
   forEachFace([&](int face) {
     elements[indexOf(face)] = expectedOn(face, kSamples);
     double& work = work_[indexOf(face)];
-    if (!isFineInside_) work = std::max(work, 1 + elements[indexOf(face)]);
+    work = std::max(work, 1 + elements[indexOf(face)]);
   });
   refuseTooMany(elements, memoryLimitOf(*options_));
 }

@@ -17,6 +17,7 @@
 #include "geometry/occ/model/model.h"
 #include "geometry/occ/model/model_shape.h"
 #include "geometry/occ/sizes/cad_sizes.h"
+#include "geometry/sizes/finer_inside.h"
 
 namespace af2::geometry {
 
@@ -70,7 +71,7 @@ class CadFaces : public FaceSource {
   const std::vector<FaceOnFace>& lyingFaces() const { return onFaces_; }
   double areaOfFace(int face) const { return areas_[indexOf(face)]; }
   const std::vector<EdgeSamples>& sampledEdges() const { return sampled_.byFaces; }
-  bool isFineInside() const { return isFineInside_; }
+  const FinerInside& finerInside() const { return finer_; }
   CadSizes withFunction(const PositionSize& function) const;
 
  private:
@@ -103,7 +104,8 @@ class CadFaces : public FaceSource {
   std::vector<int> spread_;           // ids: see spreadSizesOf
   std::map<int, EdgeLayers> layers_;  // by face
   LayerEnds layerEnds_;
-  bool isFineInside_ = false;  // sizes may be much smaller than along boundaries
+  bool isByPosition_ = false;  // sizes were asked for that depend on the place
+  FinerInside finer_;          // how small these may be
 };
 
 }  // namespace af2::geometry

@@ -40,6 +40,7 @@ struct Given {
   std::size_t maxCandidates = kAnyNumber;
   double areaBeside = 0;
   bool failedBefore = false;
+  FinerInside finer = {};
 };
 
 /// Does something with the task to fill the square, divided into segments of that length.
@@ -57,8 +58,8 @@ FaceAttempt with(const ChartedSurface& surface, const SizeField& size, const Giv
   };
   const TryLimits limits{.maxCandidates = given.maxCandidates, .failedBefore = given.failedBefore};
   const FaceTask task{
-      surface, boundary, size,   given.area, given.expectedElements, algorithm,       options,
-      false,   limits,   silent, makeTools,  given.knowsSizes,       given.areaBeside};
+      surface,     boundary, size,   given.area, given.expectedElements, algorithm,       options,
+      given.finer, limits,   silent, makeTools,  given.knowsSizes,       given.areaBeside};
   return use(task);
 }
 
@@ -97,6 +98,18 @@ TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanTheSizesInsideLetExpect) {
   EXPECT_EQ(
       attempt(SizeFunction(fineInside), {.expectedElements = 100, .knowsSizes = true}).fault.kind,
       FillFaultKind::TooManyElements);
+}
+
+/// A front that overlaps itself would go on for minutes otherwise.
+TEST(ChartWay, EndsAFrontThatMakesFarMoreElementsThanSizesByPositionMayWant) {
+  const auto faultWith = [](const FinerInside& finer) {
+    return attempt(SizeFunction(fineInside), {.finer = finer}).fault.kind;
+  };
+  EXPECT_EQ(faultWith(kAnySizes), FillFaultKind::None);
+  EXPECT_EQ(faultWith({.around = 20'000, .shareAtPoints = 1e9}), FillFaultKind::None);
+  EXPECT_EQ(faultWith({.around = 100, .shareAtPoints = 1e9}), FillFaultKind::TooManyElements);
+  EXPECT_EQ(faultWith({.around = 20'000, .shareAtPoints = 1}), FillFaultKind::TooManyElements);
+  EXPECT_EQ(faultWith({.share = 1000}), FillFaultKind::None);
 }
 
 TEST(ChartWay, EndsAFrontOfAFaceOfUnknownAreaByTheElementsThatItMayHave) {

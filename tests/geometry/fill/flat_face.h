@@ -22,8 +22,7 @@ struct FlatFace {
   FlatFace& operator=(const FlatFace&) = delete;
 
   geometry::FaceTask task() const {
-    return {surface, boundary, size,   area,     1,        algorithm,
-            options, false,    limits, progress, makeTools};
+    return {surface, boundary, size, area, 1, algorithm, options, {}, limits, progress, makeTools};
   }
 
   geometry::FlatSurface surface{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -142,7 +142,7 @@ TEST(Seams, AreNoObstacleToElementsThatLean) {
                               {}};
     FaceMesh face;
     const auto mesh = [&] {
-      meshFace({model.shape(), sizes, {}, false, request}, 1, 0, 500, face);
+      meshFace({model.shape(), sizes, {}, {}, request}, 1, 0, 500, face);
     };
     if (ignoresNormals)
       EXPECT_NO_THROW(mesh());
