@@ -141,9 +141,7 @@ TEST(Seams, AreNoObstacleToElementsThatLean) {
     const FillRequest request{{}, {.ignoresNormals = ignoresNormals}, divided, algorithm, {}, false,
                               {}};
     FaceMesh face;
-    const auto mesh = [&] {
-      meshFace({model.shape(), sizes, {}, {}, request}, 1, 0, 500, face);
-    };
+    const auto mesh = [&] { meshFace({model.shape(), sizes, {}, {}, request}, 1, 0, 500, face); };
     if (ignoresNormals)
       EXPECT_NO_THROW(mesh());
     else
