@@ -1,6 +1,7 @@
 #include "geometry/occ/faces/solid_volume.h"
 
 #include <BRep_Tool.hxx>
+#include <ElCLib.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
+#include <gp_Lin.hxx>
 #include <gp_Sphere.hxx>
 #include <limits>
 #include <optional>
@@ -41,17 +43,18 @@ double curvedCone(const TopoDS_Face& face, const FaceSurface& surface, const Poi
 
 /// A surface whose tangent planes are all as far from some point: a cylinder, cone or sphere.
 struct EvenlyFar {
-  Point3 centre;
+  Point3 centre;        ///< of all such points that nearest to the apex
   double distance = 0;  ///< to that side to which du x dv points
 };
 
-std::optional<EvenlyFar> evenlyFar(const TopoDS_Face& face) {
+std::optional<EvenlyFar> evenlyFar(const TopoDS_Face& face, const Point3& apex) {
   const GeomAdaptor_Surface surface(BRep_Tool::Surface(face));
   const auto outward = [](const gp_Ax3& at) { return at.Direct() ? 1. : -1.; };
   switch (surface.GetType()) {
     case GeomAbs_Cylinder: {
       const gp_Cylinder cylinder = surface.Cylinder();
-      return EvenlyFar{toPoint(cylinder.Location()),
+      const gp_Lin axis(cylinder.Axis());
+      return EvenlyFar{toPoint(ElCLib::Value(ElCLib::Parameter(axis, toOcc(apex)), axis)),
                        outward(cylinder.Position()) * cylinder.Radius()};
     }
     case GeomAbs_Cone:
@@ -68,8 +71,12 @@ std::optional<EvenlyFar> evenlyFar(const TopoDS_Face& face) {
 /// The same to any face that is not reversed; not a number if it cannot be computed.
 double cone(const ModelShape& model, int id, const TopoDS_Face& face, const Point3& apex) {
   const FaceSurface surface = model.surface(id);
-  const std::optional<EvenlyFar> far = evenlyFar(face);
-  if (!surface.isPlane() && !far) return curvedCone(face, surface, apex, model.diagonal);
+  const std::optional<EvenlyFar> far = evenlyFar(face, apex);
+  // Of what is far larger than the model, the area and the edges tell nearly the same twice, with
+  // opposite signs.
+  constexpr double kMostAway = 10;  // diagonals
+  const bool isNear = far && distance(far->centre, apex) < kMostAway * model.diagonal;
+  if (!surface.isPlane() && !isNear) return curvedCone(face, surface, apex, model.diagonal);
   const double area = areaOf(model, id);
   if (area == 0) return kUnknown;
   if (surface.isPlane()) {

@@ -1,6 +1,7 @@
 #include "geometry/occ/faces/solid_volume.h"
 
 #include <gtest/gtest.h>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
@@ -60,6 +61,22 @@ TEST(SolidVolume, IsThatOfOpenCascade) {
       BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(6, 6, 6).Shape(),
                       BRepPrimAPI_MakeCylinder(gp_Ax2({1, 1, 7}, {1, 2, -3}), 1.5, 9, 4).Shape()));
   expectVolumeOfOpenCascade(BRepBuilderAPI_NurbsConvert(testing::drilledBlock()).Shape());
+}
+
+/// The axis of a hole begins far from the model; the top is nearly a plane.
+TEST(SolidVolume, IsThatOfOpenCascadeWhereSurfacesAreFarLarger) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(6, 6, 6).Shape();
+  expectVolumeOfOpenCascade(BRepAlgoAPI_Cut(
+      block, BRepPrimAPI_MakeCylinder(gp_Ax2({3, 3, -1e6}, {0, 0, 1}), 1, 2e6).Shape()));
+  for (const double radius : {1e3, 1e5}) {
+    expectVolumeOfOpenCascade(BRepAlgoAPI_Common(
+        block, BRepPrimAPI_MakeSphere(gp_Pnt(2, 3, 5 - radius), radius).Shape()));
+    expectVolumeOfOpenCascade(BRepAlgoAPI_Common(
+        block,
+        BRepPrimAPI_MakeCylinder(gp_Ax2({2, -1, 5 - radius}, {0, 1, 0}), radius, 9).Shape()));
+  }
+  expectVolumeOfOpenCascade(BRepAlgoAPI_Common(
+      block, BRepPrimAPI_MakeCone(gp_Ax2({3, 3, -1}, {0, 0, 1}), 2.9, 2.8999, 9)));
 }
 
 /// A hollow in a solid, and one solid inside it.
