@@ -13,9 +13,10 @@ constexpr double kDensity = 1 / kUnitTriangle;
 
 /// In a plane through the point: the density integrated over the ball, and from there to where the
 /// size is the largest one.
-double elementsAround(const SizeSource& point, double growth, double largest) {
+///
+/// s, r  the size at the point, and the radius of its ball
+double elementsAround(double s, double r, double growth, double largest) {
   constexpr double kPi = std::numbers::pi;
-  const double s = point.size, r = point.radius;
   if (!(s < largest)) return 0;
   const double inside = kPi * r * r / (s * s);
   const double alongRim = 2 * kPi * r / growth * (1 / s - 1 / largest);
@@ -30,11 +31,13 @@ double shareOf(double size, double largest) {
 
 }  // namespace
 
-FinerInside finerAround(std::span<const SizeSource> points, double growth, double largest) {
+FinerInside finerAround(std::span<const SizeSource> points, double growth, double largest,
+                        double least) {
   FinerInside finer;
   for (const SizeSource& point : points) {
-    finer.around += elementsAround(point, growth, largest);
-    finer.shareAtPoints = std::max(finer.shareAtPoints, shareOf(point.size, largest));
+    const double size = std::max(point.size, least);
+    finer.around += elementsAround(size, point.radius, growth, largest);
+    finer.shareAtPoints = std::max(finer.shareAtPoints, shareOf(size, largest));
   }
   return finer;
 }
@@ -42,11 +45,10 @@ FinerInside finerAround(std::span<const SizeSource> points, double growth, doubl
 FinerInside finerInside(const Sizes& sizes) {
   if (sizes.function) return kAnySizes;
   const double largest = largestOf(sizes);
-  const auto allowed = [&](double size) { return std::max(size, sizes.minSize); };
-  std::vector<SizeSource> points = sizes.sources.points;
-  for (SizeSource& point : points) point.size = allowed(point.size);
-  FinerInside finer = finerAround(points, sizes.growth, largest);
-  const auto add = [&](double size) { finer.share += shareOf(allowed(size), largest); };
+  FinerInside finer = finerAround(sizes.sources.points, sizes.growth, largest, sizes.minSize);
+  const auto add = [&](double size) {
+    finer.share += shareOf(std::max(size, sizes.minSize), largest);
+  };
   for (const SizeBox& box : sizes.sources.boxes) add(box.size);
   const auto addField = [&](const std::vector<double>& values) {
     if (!values.empty()) add(std::ranges::min(values));

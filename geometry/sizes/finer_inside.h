@@ -40,6 +40,8 @@ FinerInside finerInside(const Sizes& sizes);
 ///
 /// growth   > 0, as in `Sizes`
 /// largest  the size that is wanted elsewhere
-FinerInside finerAround(std::span<const SizeSource> points, double growth, double largest);
+/// least    no size is smaller
+FinerInside finerAround(std::span<const SizeSource> points, double growth, double largest,
+                        double least = 0);
 
 }  // namespace af2::geometry

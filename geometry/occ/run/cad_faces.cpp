@@ -73,7 +73,6 @@ void CadFaces::prepare(const MeshingOptions& options, const std::vector<int>& fa
   options_ = &options;
   faces_ = faces;
   sizes_ = CadSizes{options.sizes, turns_, {}};
-  isByPosition_ = sizes_.function || !sizes_.sources.isEmpty();
   finer_ = geometry::finerInside(sizes_);
   refuseBlurred(farthestVertex(), model_.shape().diagonal, sizes_.size);
   shape_ = withCreases(model_.sharedShape(), faces_, sizes_, options.threads, options.stop);
@@ -285,7 +284,8 @@ void CadFaces::expectMoreOn(const std::vector<int>& uneven) {
 /// want as well as what faces want without them; points, boxes and functions may hide.
 void CadFaces::expectByPosition() {
   constexpr int kSamples = 8;
-  if (!isByPosition_ && sizes_.elementsPerTurn == 0) return;
+  const Sizes& asked = options_->sizes;
+  if (!asked.function && asked.sources.isEmpty() && asked.elementsPerTurn == 0) return;
   std::vector<double> elements(work_.size());
   forEachFace([&](int face) {
     elements[indexOf(face)] = expectedOn(face, kSamples);

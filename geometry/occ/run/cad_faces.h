@@ -104,7 +104,6 @@ class CadFaces : public FaceSource {
   std::vector<int> spread_;           // ids: see spreadSizesOf
   std::map<int, EdgeLayers> layers_;  // by face
   LayerEnds layerEnds_;
-  bool isByPosition_ = false;  // sizes were asked for that depend on the place
   FinerInside finer_;          // how small these may be
 };
 

@@ -159,6 +159,17 @@ TEST(Sizes, AtAPointSpreadEvenlyThroughSpace) {
   EXPECT_GT(farthest, 0.8);
 }
 
+/// Fronts are not stopped, although the size of the model and a few samples let expect few
+/// elements.
+TEST(Sizes, AtPointsMayWantFarMoreElementsThanSamplesTell) {
+  Sizes sizes = sizesOf(20);
+  for (int i = 0; i < 64; ++i)
+    sizes.sources.points.push_back({{18.6 + 0.4 * (i % 8), 18.6 + 0.4 * (i / 8), 1}, 0.001});
+  const ModelMesh result = mesh(testing::box(40, 40, 1), sizes);
+  for (const FaceReport& face : result.faces) EXPECT_EQ(face.status, FaceStatus::Complete);
+  EXPECT_GT(result.elements.size(), 20'000u);
+}
+
 /// The mean length of edges between these distances from the z axis.
 double meanLengthAround(const ModelMesh& mesh, double from, double to) {
   double sum = 0;
