@@ -104,7 +104,7 @@ class CadFaces : public FaceSource {
   std::vector<int> spread_;           // ids: see spreadSizesOf
   std::map<int, EdgeLayers> layers_;  // by face
   LayerEnds layerEnds_;
-  FinerInside finer_;          // how small these may be
+  FinerInside finer_;  // how small these may be
 };
 
 }  // namespace af2::geometry
